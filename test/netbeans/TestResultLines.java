@@ -73,7 +73,7 @@ public final class TestResultLines implements TestExecutionListener {
     } else if (id.isTest()) {
       counts.skipped++;
     }
-    if (id.isTest()) {
+    if (id.isTest() || result.getStatus() == Status.FAILED) {
       event("endTest(" + name(id) + ")");
     }
     if (id.equals(suite)) {
@@ -109,6 +109,9 @@ public final class TestResultLines implements TestExecutionListener {
     final boolean failure = problem instanceof AssertionError;
     counts.failures += failure ? 1 : 0;
     counts.errors += failure ? 0 : 1;
+    if (!id.isTest()) {
+      event("startTest(" + name(id) + ")");
+    }
     event((failure ? "addFailure(" : "addError(") + name(id) + ", " + problem.getMessage() + ")");
     troubles.add("Testcase: " + name(id) + "(" + suiteName + "):\t" + (failure ? "FAILED" : "Caused an ERROR"));
     if (FOR_NETBEANS) {
