@@ -1,0 +1,172 @@
+package acceleration;
+
+/**
+ * A bounding volume hierarchy: a binary tree of boxes over numbered things, to find those that a ray may meet without looking
+ * at all of them. Immutable, safe for use by several threads.
+ *
+ * <p>An inner node holds the boxes of its two children side by side in one array of floats, 12 of them, so that one visit
+ * touches one place in memory, and two links in an array of ints. A link that is not negative is the number of an inner
+ * node; a negative one is a leaf, ~(first · 8 + count − 1), of the things at the places first … first + count − 1 of the
+ * order that building the tree has put them in.
+ */
+public final class Bvh {
+
+  /** Greatest number of things in a leaf. */
+  public static final int MOST_IN_LEAF = 8;
+
+  /** What a far side of a box is moved by: a subtraction and a multiplication by a rounded reciprocal on either side. */
+  private static final double FAR = 1 + 0x1p-49;
+
+  /** The tree of nothing. */
+  static final Bvh EMPTY = new Bvh(new float[0], new int[0], -1, 0);
+
+  /** Whoever owns the things of a tree. */
+  public interface Leaves {
+
+    /**
+     * Asks the things of a leaf.
+     *
+     * @param first place of the first one
+     * @param end place after the last one
+     * @return the distance beyond which nothing matters any more; boxes that lie farther are left out from now on
+     */
+    double visit(int first, int end);
+  }
+
+  private final float[] boxes;
+  private final int[] links;
+  private final int root;
+  private final int depth;
+
+  /** A tree of finished nodes; see the class comment for the arrays. */
+  Bvh(final float[] boxes, final int[] links, final int root, final int depth) {
+    this.boxes = boxes;
+    this.links = links;
+    this.root = root;
+    this.depth = depth;
+  }
+
+  /**
+   * Builds the tree of some boxes.
+   *
+   * @param boxes six floats for each box: its least x, y, z, then its greatest, all finite; used as working space
+   * @param leaf how many things a leaf may hold, 1 … {@link #MOST_IN_LEAF}
+   * @param order as long as there are boxes; gets at each place the number of the thing that belongs there
+   * @return the tree
+   */
+  public static Bvh over(final float[] boxes, final int leaf, final int[] order) {
+    return new BvhBuilder(boxes, leaf, order).build();
+  }
+
+  static int leaf(final int first, final int count) {
+    return ~(first * MOST_IN_LEAF + count - 1);
+  }
+
+  /**
+   * Visits the leaves that one ray may meet, the nearer child of a node first.
+   *
+   * @param x first coordinate of the start
+   * @param y second coordinate of the start
+   * @param z third coordinate of the start
+   * @param dx first component of the direction, of unit length
+   * @param dy second component of the direction
+   * @param dz third component of the direction
+   * @param leaves whoever owns the things
+   */
+  public void closest(final double x, final double y, final double z, final double dx, final double dy, final double dz,
+      final Leaves leaves) {
+    if (isEmpty()) {
+      return;
+    }
+    final double ix = 1 / dx, iy = 1 / dy, iz = 1 / dz;
+    final int nearX = dx < 0 ? 3 : 0, nearY = dy < 0 ? 4 : 1, nearZ = dz < 0 ? 5 : 2;
+    final int[] stack = new int[depth + 1];
+    int top = 0, node = root;
+    double farthest = Double.POSITIVE_INFINITY;
+    while (true) {
+      if (node < 0) {
+        farthest = visit(node, leaves);
+        if (top == 0) {
+          return;
+        }
+        node = stack[--top];
+      } else {
+        final int a = node * 12, b = a + 6;
+        final double enterA = enter(a, nearX, nearY, nearZ, x, y, z, ix, iy, iz, farthest);
+        final double enterB = enter(b, nearX, nearY, nearZ, x, y, z, ix, iy, iz, farthest);
+        final boolean crossesA = enterA < Double.POSITIVE_INFINITY, crossesB = enterB < Double.POSITIVE_INFINITY;
+        if (crossesA && crossesB) {
+          final int nearer = enterB < enterA ? 1 : 0;
+          stack[top++] = links[2 * node + 1 - nearer];
+          node = links[2 * node + nearer];
+        } else if (crossesA || crossesB) {
+          node = links[2 * node + (crossesA ? 0 : 1)];
+        } else if (top == 0) {
+          return;
+        } else {
+          node = stack[--top];
+        }
+      }
+    }
+  }
+
+  /** Where a ray enters a box; infinity if it passes it by or enters too far away. Comparisons drop the NaN of 0 · ∞. */
+  private double enter(final int box, final int nearX, final int nearY, final int nearZ, final double x, final double y,
+      final double z, final double ix, final double iy, final double iz, final double farthest) {
+    final double ax = (boxes[box + nearX] - x) * ix, ay = (boxes[box + nearY] - y) * iy, az = (boxes[box + nearZ] - z) * iz;
+    final double bx = (boxes[box + 3 - nearX] - x) * ix, by = (boxes[box + 5 - nearY] - y) * iy,
+        bz = (boxes[box + 7 - nearZ] - z) * iz;
+    double enter = ax > 0 ? ax : 0;
+    enter = ay > enter ? ay : enter;
+    enter = az > enter ? az : enter;
+    double leave = bx < farthest ? bx : farthest;
+    leave = by < leave ? by : leave;
+    leave = bz < leave ? bz : leave;
+    return enter <= leave * FAR ? enter : Double.POSITIVE_INFINITY;
+  }
+
+  /**
+   * Visits the leaves that the rays of a tile may meet, the nearer child of a node first.
+   *
+   * @param frustum the frustum of the tile, which must be fitted
+   * @param leaves whoever owns the things
+   */
+  public void closest(final TileFrustum frustum, final Leaves leaves) {
+    if (isEmpty()) {
+      return;
+    }
+    final int[] stack = new int[depth + 1];
+    int top = 0, node = root;
+    double farthest = Double.POSITIVE_INFINITY;
+    while (true) {
+      if (node < 0) {
+        farthest = visit(node, leaves);
+      } else {
+        final int a = node * 12, b = a + 6;
+        final double nearA = frustum.nearest(boxes, a, farthest), nearB = frustum.nearest(boxes, b, farthest);
+        final boolean meetsA = nearA < Double.POSITIVE_INFINITY, meetsB = nearB < Double.POSITIVE_INFINITY;
+        if (meetsA || meetsB) {
+          final int nearer = nearB < nearA ? 1 : 0;
+          if (meetsA && meetsB) {
+            stack[top++] = links[2 * node + 1 - nearer];
+          }
+          node = links[2 * node + nearer];
+          continue;
+        }
+      }
+      if (top == 0) {
+        return;
+      }
+      node = stack[--top];
+    }
+  }
+
+  private static double visit(final int leaf, final Leaves leaves) {
+    final int first = ~leaf / MOST_IN_LEAF;
+    return leaves.visit(first, first + ~leaf % MOST_IN_LEAF + 1);
+  }
+
+  private boolean isEmpty() {
+    return depth == 0;
+  }
+}

@@ -1,0 +1,178 @@
+package acceleration;
+
+/**
+ * Fits a regular grid to the rays of a tile. With q = d / (d·W) for a pyramid of rays with one start and mean direction W,
+ * or q = start − first start for a prism of rays with one direction W, it finds two vectors perpendicular to W and two
+ * numbers such that a·q + a₀ ≈ column and b·q + b₀ ≈ row for all rays, and how far from equality the worst of them is.
+ */
+final class GridFit {
+
+  /** Least sine of the angle between the directions in which columns and rows grow. */
+  private static final double DISTINCT = 1e-3;
+
+  /** Least cosine between a ray of a pyramid and its axis. */
+  private static final double NARROW = 0.25;
+
+  /** Step between pixels where there is one column or row only, so that any will do. */
+  private static final double ANY_STEP = 1e-3;
+
+  boolean pyramid;
+  double originX;
+  double originY;
+  double originZ;
+  double wx;
+  double wy;
+  double wz;
+  double ax;
+  double ay;
+  double az;
+  double a0;
+  double bx;
+  double by;
+  double bz;
+  double b0;
+  double columnMargin;
+  double rowMargin;
+
+  private RayTile tile;
+  private int first;
+  private int end;
+  private double stepX;
+  private double stepY;
+  private double stepZ;
+
+  /** Fits the grid; answers whether the rays allow it. */
+  boolean fit(final RayTile rays) {
+    tile = rays;
+    end = RayTile.SIZE * rays.rows();
+    return findAxis() && findGrid() && findMargins();
+  }
+
+  /** Finds what the rays share, and W. */
+  private boolean findAxis() {
+    first = 0;
+    while (first < end && !tile.isPresent(first)) {
+      first++;
+    }
+    if (first == end) {
+      return false;
+    }
+    originX = tile.startX(first);
+    originY = tile.startY(first);
+    originZ = tile.startZ(first);
+    boolean direction = true;
+    pyramid = true;
+    double x = 0, y = 0, z = 0;
+    for (int i = first; i < end; i++) {
+      if (tile.isPresent(i)) {
+        pyramid &= tile.startX(i) == originX && tile.startY(i) == originY && tile.startZ(i) == originZ;
+        direction &= tile.directionX(i) == tile.directionX(first) && tile.directionY(i) == tile.directionY(first)
+            && tile.directionZ(i) == tile.directionZ(first);
+        x += tile.directionX(i);
+        y += tile.directionY(i);
+        z += tile.directionZ(i);
+      }
+    }
+    final double length = Math.sqrt(x * x + y * y + z * z);
+    wx = x / length;
+    wy = y / length;
+    wz = z / length;
+    return pyramid || direction;
+  }
+
+  private boolean findGrid() {
+    sumSteps(tile.rows(), RayTile.SIZE, tile.columns(), 1);
+    final double cx = stepX, cy = stepY, cz = stepZ;
+    sumSteps(tile.columns(), 1, tile.rows(), RayTile.SIZE);
+    final double rx = stepX, ry = stepY, rz = stepZ;
+    final boolean noColumns = cx == 0 && cy == 0 && cz == 0, noRows = rx == 0 && ry == 0 && rz == 0;
+    if (noColumns && noRows) {
+      final double s = Math.abs(wx) < 0.5 ? 1 : 0;
+      return dual(ANY_STEP * (s - s * wx * wx - (1 - s) * wx * wy), ANY_STEP * ((1 - s) - s * wx * wy - (1 - s) * wy * wy),
+          ANY_STEP * (-s * wx * wz - (1 - s) * wy * wz), true, 0, 0, 0);
+    }
+    return noColumns ? dual(ry * wz - rz * wy, rz * wx - rx * wz, rx * wy - ry * wx, false, rx, ry, rz)
+        : dual(cx, cy, cz, noRows, rx, ry, rz);
+  }
+
+  /** The a and b dual to the steps of q along columns and rows; where there are no rows, any perpendicular step serves. */
+  private boolean dual(final double cx, final double cy, final double cz, final boolean anyRows,
+      final double x, final double y, final double z) {
+    final double rx = anyRows ? wy * cz - wz * cy : x, ry = anyRows ? wz * cx - wx * cz : y, rz = anyRows ? wx * cy - wy * cx : z;
+    ax = ry * wz - rz * wy;
+    ay = rz * wx - rx * wz;
+    az = rx * wy - ry * wx;
+    bx = wy * cz - wz * cy;
+    by = wz * cx - wx * cz;
+    bz = wx * cy - wy * cx;
+    final double area = ax * cx + ay * cy + az * cz;
+    final double most = Math.sqrt((cx * cx + cy * cy + cz * cz) * (rx * rx + ry * ry + rz * rz));
+    if (!(Math.abs(area) > DISTINCT * most)) {
+      return false;
+    }
+    ax /= area;
+    ay /= area;
+    az /= area;
+    bx /= area;
+    by /= area;
+    bz /= area;
+    return true;
+  }
+
+  /** Mean step of q along lines of pixels: from the first to the last ray of each. */
+  private void sumSteps(final int lines, final int lineStride, final int pixels, final int stride) {
+    double x = 0, y = 0, z = 0;
+    int steps = 0;
+    for (int line = 0; line < lines; line++) {
+      int i = line * lineStride, j = i + (pixels - 1) * stride;
+      while (i < j && !tile.isPresent(i)) {
+        i += stride;
+      }
+      while (i < j && !tile.isPresent(j)) {
+        j -= stride;
+      }
+      if (i < j) {
+        steps += (j - i) / stride;
+        final double k = 1 / depthOf(i), l = 1 / depthOf(j);
+        x += pyramid ? tile.directionX(j) * l - tile.directionX(i) * k : tile.startX(j) - tile.startX(i);
+        y += pyramid ? tile.directionY(j) * l - tile.directionY(i) * k : tile.startY(j) - tile.startY(i);
+        z += pyramid ? tile.directionZ(j) * l - tile.directionZ(i) * k : tile.startZ(j) - tile.startZ(i);
+      }
+    }
+    stepX = x / Math.max(1, steps);
+    stepY = y / Math.max(1, steps);
+    stepZ = z / Math.max(1, steps);
+  }
+
+  private double depthOf(final int i) {
+    return tile.directionX(i) * wx + tile.directionY(i) * wy + tile.directionZ(i) * wz;
+  }
+
+  /** Finds a₀ and b₀ in the middle of what the rays ask for, and the margins about them. */
+  private boolean findMargins() {
+    double leastA = Double.POSITIVE_INFINITY, mostA = Double.NEGATIVE_INFINITY;
+    double leastB = Double.POSITIVE_INFINITY, mostB = Double.NEGATIVE_INFINITY, narrowest = 1;
+    for (int row = 0; row < tile.rows(); row++) {
+      for (int column = 0; column < tile.columns(); column++) {
+        final int i = row * RayTile.SIZE + column;
+        if (tile.isPresent(i)) {
+          final double depth = depthOf(i), k = pyramid ? 1 / depth : 1;
+          final double x = pyramid ? tile.directionX(i) : tile.startX(i) - originX;
+          final double y = pyramid ? tile.directionY(i) : tile.startY(i) - originY;
+          final double z = pyramid ? tile.directionZ(i) : tile.startZ(i) - originZ;
+          final double offA = column - k * (ax * x + ay * y + az * z), offB = row - k * (bx * x + by * y + bz * z);
+          narrowest = depth < narrowest ? depth : narrowest;
+          leastA = offA < leastA ? offA : leastA;
+          mostA = offA > mostA ? offA : mostA;
+          leastB = offB < leastB ? offB : leastB;
+          mostB = offB > mostB ? offB : mostB;
+        }
+      }
+    }
+    a0 = 0.5 * (leastA + mostA);
+    b0 = 0.5 * (leastB + mostB);
+    columnMargin = 0.5 * (mostA - leastA);
+    rowMargin = 0.5 * (mostB - leastB);
+    return narrowest > NARROW && columnMargin < RayTile.SIZE && rowMargin < RayTile.SIZE;
+  }
+}

@@ -1,0 +1,327 @@
+package acceleration;
+
+import primitives.BoundingBox;
+
+/**
+ * The pyramid or prism that encloses the rays of a tile, and the projection of space onto the tile's pixels.
+ *
+ * <p>Found from the rays alone, whatever camera made them. If they share a start, their slopes about the mean direction are
+ * nearly a regular grid (a pyramid); if they share a direction, their starts are (a prism). A grid is fitted, and how far the
+ * rays stray from it, in pixels, is kept as a margin: each ray is projected to within the margin of its own column and row. So
+ * all answers are conservative: what a ray of the tile can meet is never said to be outside. Rays that share neither start
+ * nor direction are not fitted.
+ *
+ * <p>The projection is homogeneous: with V = P − O, column = (C·V + c) / (D·V + d) and the same for the row, where
+ * D·V + d is the depth in a pyramid and 1 in a prism. Enclosing rays by planes to trace them together is the idea of Reshetov,
+ * Soupikov and Hurley, "Multi-Level Ray Tracing Algorithm", SIGGRAPH 2005.
+ */
+public final class TileFrustum {
+
+  /** Added to the margin, in pixels, for the rounding of double. */
+  private static final double ROUNDING = 1e-6;
+
+  /** Bound of the rounding error of n·V, relative to |n| |V|; far above the few roundings of 2^-53. */
+  private static final double PLANE_ROUNDING = 0x1p-48;
+
+  private final GridFit grid = new GridFit();
+
+  /** Side planes n·V + c ≥ 0, four of them: nx, ny, nz, c. */
+  private final double[] planes = new double[16];
+
+  /** For each side plane and each coordinate, which of a box's six numbers lies farthest along n. */
+  private final int[] corners = new int[12];
+
+  private boolean fitted;
+  private double originX;
+  private double originY;
+  private double originZ;
+  private double columnX;
+  private double columnY;
+  private double columnZ;
+  private double columnAt;
+  private double rowX;
+  private double rowY;
+  private double rowZ;
+  private double rowAt;
+  private double depthX;
+  private double depthY;
+  private double depthZ;
+  private double depthAt;
+  private double axisX;
+  private double axisY;
+  private double axisZ;
+  private double axisAt;
+  private int nearX;
+  private int nearY;
+  private int nearZ;
+  private double columnMargin;
+  private double rowMargin;
+  private int columns;
+  private int rows;
+  private int firstColumn;
+  private int lastColumn;
+  private int firstRow;
+  private int lastRow;
+
+  TileFrustum() {
+  }
+
+  /** Encloses the rays of a tile, if they allow it. */
+  void fit(final RayTile tile) {
+    fitted = grid.fit(tile);
+    if (fitted) {
+      columns = tile.columns();
+      rows = tile.rows();
+      takeProjection(tile);
+      takePlanes();
+    }
+  }
+
+  private void takeProjection(final RayTile tile) {
+    final GridFit g = grid;
+    final double p = g.pyramid ? 1 : 0;
+    originX = g.originX;
+    originY = g.originY;
+    originZ = g.originZ;
+    columnX = g.ax + p * g.a0 * g.wx;
+    columnY = g.ay + p * g.a0 * g.wy;
+    columnZ = g.az + p * g.a0 * g.wz;
+    columnAt = (1 - p) * g.a0;
+    rowX = g.bx + p * g.b0 * g.wx;
+    rowY = g.by + p * g.b0 * g.wy;
+    rowZ = g.bz + p * g.b0 * g.wz;
+    rowAt = (1 - p) * g.b0;
+    depthX = p * g.wx;
+    depthY = p * g.wy;
+    depthZ = p * g.wz;
+    depthAt = 1 - p;
+    columnMargin = g.columnMargin + ROUNDING;
+    rowMargin = g.rowMargin + ROUNDING;
+    axisX = g.wx;
+    axisY = g.wy;
+    axisZ = g.wz;
+    axisAt = g.pyramid ? 0 : leastStart(tile);
+    nearX = axisX > 0 ? 0 : 3;
+    nearY = axisY > 0 ? 1 : 4;
+    nearZ = axisZ > 0 ? 2 : 5;
+  }
+
+  /** How far before the origin the rearmost ray of a prism starts, as a number to be added to a distance from the origin. */
+  private double leastStart(final RayTile tile) {
+    double most = 0;
+    for (int i = 0; i < RayTile.SIZE * tile.rows(); i++) {
+      final double ahead = (tile.startX(i) - originX) * axisX + (tile.startY(i) - originY) * axisY
+          + (tile.startZ(i) - originZ) * axisZ;
+      most = tile.isPresent(i) && ahead > most ? ahead : most;
+    }
+    return -most;
+  }
+
+  private void takePlanes() {
+    final double firstC = columnMargin, lastC = columns - 1 + columnMargin, firstR = rowMargin, lastR = rows - 1 + rowMargin;
+    plane(0, columnX + firstC * depthX, columnY + firstC * depthY, columnZ + firstC * depthZ, columnAt + firstC * depthAt);
+    plane(1, lastC * depthX - columnX, lastC * depthY - columnY, lastC * depthZ - columnZ, lastC * depthAt - columnAt);
+    plane(2, rowX + firstR * depthX, rowY + firstR * depthY, rowZ + firstR * depthZ, rowAt + firstR * depthAt);
+    plane(3, lastR * depthX - rowX, lastR * depthY - rowY, lastR * depthZ - rowZ, lastR * depthAt - rowAt);
+  }
+
+  private void plane(final int k, final double x, final double y, final double z, final double at) {
+    planes[4 * k] = x;
+    planes[4 * k + 1] = y;
+    planes[4 * k + 2] = z;
+    planes[4 * k + 3] = at;
+    corners[3 * k] = x > 0 ? 3 : 0;
+    corners[3 * k + 1] = y > 0 ? 4 : 1;
+    corners[3 * k + 2] = z > 0 ? 5 : 2;
+  }
+
+  /**
+   * Whether the rays are enclosed; if not, nothing else may be asked.
+   *
+   * @return false if the rays have nothing in common, are spread too far, or are none
+   */
+  public boolean isFitted() {
+    return fitted;
+  }
+
+  /**
+   * A distance before which no ray of the tile can be within a box.
+   *
+   * @param boxes boxes of six floats each
+   * @param at where the box begins
+   * @param farthest distance beyond which it does not matter
+   * @return the distance, at least 0; infinity if the box lies outside or farther away
+   */
+  double nearest(final float[] boxes, final int at, final double farthest) {
+    final double near = (boxes[at + nearX] - originX) * axisX + (boxes[at + nearY] - originY) * axisY
+        + (boxes[at + nearZ] - originZ) * axisZ + axisAt;
+    final double far = (boxes[at + 3 - nearX] - originX) * axisX + (boxes[at + 5 - nearY] - originY) * axisY
+        + (boxes[at + 7 - nearZ] - originZ) * axisZ - axisAt;
+    return near > farthest || far < 0 || isBeyond(boxes, at, 0) || isBeyond(boxes, at, 1) || isBeyond(boxes, at, 2)
+        || isBeyond(boxes, at, 3) ? Double.POSITIVE_INFINITY : near;
+  }
+
+  private boolean isBeyond(final float[] boxes, final int at, final int k) {
+    final double x = (boxes[at + corners[3 * k]] - originX) * planes[4 * k];
+    final double y = (boxes[at + corners[3 * k + 1]] - originY) * planes[4 * k + 1];
+    final double z = (boxes[at + corners[3 * k + 2]] - originZ) * planes[4 * k + 2];
+    return x + y + z + planes[4 * k + 3] < -PLANE_ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z));
+  }
+
+  /**
+   * Finds the pixels whose rays may cross a box.
+   *
+   * @param box a finite box
+   * @return whether there are any; if so, {@link #firstColumn} and its kin tell which
+   */
+  boolean project(final BoundingBox box) {
+    final double x = 0.5 * ((double) box.minX() + box.maxX()) - originX, hx = 0.5 * ((double) box.maxX() - box.minX());
+    final double y = 0.5 * ((double) box.minY() + box.maxY()) - originY, hy = 0.5 * ((double) box.maxY() - box.minY());
+    final double z = 0.5 * ((double) box.minZ() + box.maxZ()) - originZ, hz = 0.5 * ((double) box.maxZ() - box.minZ());
+    final double depth = depthX * x + depthY * y + depthZ * z + depthAt;
+    final double reach = Math.abs(depthX) * hx + Math.abs(depthY) * hy + Math.abs(depthZ) * hz;
+    if (!(depth - reach > 0)) {
+      return all() && depth + reach >= 0;
+    }
+    final double c = columnX * x + columnY * y + columnZ * z + columnAt;
+    final double overC = Math.abs(columnX) * hx + Math.abs(columnY) * hy + Math.abs(columnZ) * hz;
+    final double r = rowX * x + rowY * y + rowZ * z + rowAt;
+    final double overR = Math.abs(rowX) * hx + Math.abs(rowY) * hy + Math.abs(rowZ) * hz;
+    return limit(quotient(c - overC, depth + reach, depth - reach), quotient(c + overC, depth - reach, depth + reach),
+        quotient(r - overR, depth + reach, depth - reach), quotient(r + overR, depth - reach, depth + reach));
+  }
+
+  private static double quotient(final double number, final double ifPositive, final double ifNegative) {
+    return number / (number > 0 ? ifPositive : ifNegative);
+  }
+
+  /**
+   * Finds the pixels whose rays may meet a triangle, whose vertices are given less the origin.
+   *
+   * @param ax first coordinate of the first vertex
+   * @param ay second coordinate of the first vertex
+   * @param az third coordinate of the first vertex
+   * @param bx first coordinate of the second vertex
+   * @param by second coordinate of the second vertex
+   * @param bz third coordinate of the second vertex
+   * @param cx first coordinate of the third vertex
+   * @param cy second coordinate of the third vertex
+   * @param cz third coordinate of the third vertex
+   * @return whether there are any; if so, {@link #firstColumn} and its kin tell which
+   */
+  public boolean project(final double ax, final double ay, final double az, final double bx, final double by, final double bz,
+      final double cx, final double cy, final double cz) {
+    final double a = depthX * ax + depthY * ay + depthZ * az + depthAt;
+    final double b = depthX * bx + depthY * by + depthZ * bz + depthAt;
+    final double c = depthX * cx + depthY * cy + depthZ * cz + depthAt;
+    if (!(a > 0 && b > 0 && c > 0)) {
+      return all() && (a > 0 || b > 0 || c > 0);
+    }
+    final double ca = (columnX * ax + columnY * ay + columnZ * az + columnAt) / a;
+    final double cb = (columnX * bx + columnY * by + columnZ * bz + columnAt) / b;
+    final double cc = (columnX * cx + columnY * cy + columnZ * cz + columnAt) / c;
+    final double ra = (rowX * ax + rowY * ay + rowZ * az + rowAt) / a;
+    final double rb = (rowX * bx + rowY * by + rowZ * bz + rowAt) / b;
+    final double rc = (rowX * cx + rowY * cy + rowZ * cz + rowAt) / c;
+    return limit(least(ca, cb, cc), most(ca, cb, cc), least(ra, rb, rc), most(ra, rb, rc));
+  }
+
+  private static double least(final double a, final double b, final double c) {
+    final double ab = a < b ? a : b;
+    return ab < c ? ab : c;
+  }
+
+  private static double most(final double a, final double b, final double c) {
+    final double ab = a > b ? a : b;
+    return ab > c ? ab : c;
+  }
+
+  private boolean all() {
+    firstColumn = 0;
+    lastColumn = columns - 1;
+    firstRow = 0;
+    lastRow = rows - 1;
+    return true;
+  }
+
+  /** Limits the window to what lies, with the margin, between two columns and two rows. The casts saturate. */
+  private boolean limit(final double leastColumn, final double mostColumn, final double leastRow, final double mostRow) {
+    firstColumn = Math.max(0, (int) Math.ceil(leastColumn - columnMargin));
+    lastColumn = Math.min(columns - 1, (int) Math.floor(mostColumn + columnMargin));
+    firstRow = Math.max(0, (int) Math.ceil(leastRow - rowMargin));
+    lastRow = Math.min(rows - 1, (int) Math.floor(mostRow + rowMargin));
+    return firstColumn <= lastColumn && firstRow <= lastRow;
+  }
+
+  /**
+   * Whether all rays of the tile have the same start.
+   *
+   * @return true for a pyramid, false for a prism
+   */
+  public boolean isPyramid() {
+    return grid.pyramid;
+  }
+
+  /**
+   * First coordinate of the origin: the start of the first ray, and of all rays of a pyramid.
+   *
+   * @return the number
+   */
+  public double originX() {
+    return originX;
+  }
+
+  /**
+   * Second coordinate of the origin.
+   *
+   * @return the number
+   */
+  public double originY() {
+    return originY;
+  }
+
+  /**
+   * Third coordinate of the origin.
+   *
+   * @return the number
+   */
+  public double originZ() {
+    return originZ;
+  }
+
+  /**
+   * First column found by the last projection.
+   *
+   * @return the number
+   */
+  public int firstColumn() {
+    return firstColumn;
+  }
+
+  /**
+   * Last column found.
+   *
+   * @return the number
+   */
+  public int lastColumn() {
+    return lastColumn;
+  }
+
+  /**
+   * First row found.
+   *
+   * @return the number
+   */
+  public int firstRow() {
+    return firstRow;
+  }
+
+  /**
+   * Last row found.
+   *
+   * @return the number
+   */
+  public int lastRow() {
+    return lastRow;
+  }
+}

@@ -1,0 +1,205 @@
+package arguments;
+
+import java.text.MessageFormat;
+import java.util.ResourceBundle;
+
+import javax.vecmath.Tuple3f;
+
+/**
+ * The one place where the arguments of public constructors and methods are checked.
+ *
+ * <p>Each check answers the value it was given, so that it can stand in an assignment
+ * ({@code this.r = positive("r", r)}), or throws an {@link IllegalArgumentException} whose message
+ * names the argument and the value found, in the language of the default locale (English, Spanish).
+ */
+public final class Arguments {
+
+  /**
+   * Sine of the angle below which two directions count as parallel. A direction given in floats is
+   * uncertain by half a unit in the last place, 2<sup>-24</sup>, in each of its three components; this is
+   * eight times that.
+   */
+  private static final double PARALLEL = 0x1p-21;
+
+  private Arguments() {
+  }
+
+  /**
+   * Checks that an argument is there.
+   *
+   * @param <T> its type
+   * @param name name of the argument
+   * @param value its value
+   * @return the value
+   * @throws IllegalArgumentException if the value is null
+   */
+  public static <T> T notNull(final String name, final T value) {
+    if (value == null) {
+      throw wrong("null", name);
+    }
+    return value;
+  }
+
+  /**
+   * Checks that a number is neither infinite nor NaN.
+   *
+   * @param name name of the argument
+   * @param value its value
+   * @return the value
+   * @throws IllegalArgumentException if the value is infinite or NaN
+   */
+  public static float finite(final String name, final float value) {
+    if (!Float.isFinite(value)) {
+      throw wrong("finite", name, value);
+    }
+    return value;
+  }
+
+  /**
+   * Checks a length or a size: greater than 0 and finite.
+   *
+   * @param name name of the argument
+   * @param value its value
+   * @return the value
+   * @throws IllegalArgumentException if the value is not positive, infinite or NaN
+   */
+  public static float positive(final String name, final float value) {
+    if (!(value > 0 && value < Float.POSITIVE_INFINITY)) {
+      throw wrong("positive", name, value);
+    }
+    return value;
+  }
+
+  /**
+   * Checks a count: at least 1.
+   *
+   * @param name name of the argument
+   * @param value its value
+   * @return the value
+   * @throws IllegalArgumentException if the value is less than 1
+   */
+  public static int positive(final String name, final int value) {
+    if (value < 1) {
+      throw wrong("count", name, value);
+    }
+    return value;
+  }
+
+  /**
+   * Checks that a number lies in an open interval.
+   *
+   * @param name name of the argument
+   * @param low lower end, not allowed itself
+   * @param high upper end, not allowed itself
+   * @param value its value
+   * @return the value
+   * @throws IllegalArgumentException if the value is not strictly between the ends, or is NaN
+   */
+  public static float between(final String name, final float low, final float high, final float value) {
+    if (!(value > low && value < high)) {
+      throw wrong("between", name, value, low, high);
+    }
+    return value;
+  }
+
+  /**
+   * Checks that an index is one of {@code 0 … count - 1}.
+   *
+   * @param name name of the argument
+   * @param count number of things that can be named
+   * @param value its value
+   * @return the value
+   * @throws IllegalArgumentException if the value is negative or not less than the count
+   */
+  public static int index(final String name, final int count, final int value) {
+    if (value < 0 || value >= count) {
+      throw wrong("index", name, value, count - 1);
+    }
+    return value;
+  }
+
+  /**
+   * Checks a point or a vector: there, and without an infinite or NaN coordinate.
+   *
+   * @param <T> its type
+   * @param name name of the argument
+   * @param tuple its value
+   * @return the value, the very object that was given
+   * @throws IllegalArgumentException if it is null or a coordinate is infinite or NaN
+   */
+  public static <T extends Tuple3f> T finite(final String name, final T tuple) {
+    notNull(name, tuple);
+    if (!(Float.isFinite(tuple.x) && Float.isFinite(tuple.y) && Float.isFinite(tuple.z))) {
+      throw wrong("finite", name, tuple);
+    }
+    return tuple;
+  }
+
+  /**
+   * Checks a direction: a finite vector other than zero.
+   *
+   * @param <T> its type
+   * @param name name of the argument
+   * @param vector its value, of any length
+   * @return the value, the very object that was given
+   * @throws IllegalArgumentException if it is null or zero or a component is infinite or NaN
+   */
+  public static <T extends Tuple3f> T direction(final String name, final T vector) {
+    finite(name, vector);
+    if (vector.x == 0 && vector.y == 0 && vector.z == 0) {
+      throw wrong("zero", name, vector);
+    }
+    return vector;
+  }
+
+  /**
+   * Checks that two directions span a plane: neither is zero, and they are not parallel up to the rounding
+   * of floats.
+   *
+   * @param name name of the argument at fault if they are parallel
+   * @param vector its value
+   * @param otherName name of the direction that it must differ from
+   * @param other that direction
+   * @throws IllegalArgumentException if one of them is no direction, or if they are parallel
+   */
+  public static void notParallel(final String name, final Tuple3f vector, final String otherName, final Tuple3f other) {
+    direction(name, vector);
+    direction(otherName, other);
+    final double ux = vector.x, uy = vector.y, uz = vector.z, vx = other.x, vy = other.y, vz = other.z;
+    final double x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+    final double lengths = Math.sqrt((ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz));
+    if (!(Math.sqrt(x * x + y * y + z * z) > PARALLEL * lengths)) {
+      throw wrong("parallel", name, vector, otherName, other);
+    }
+  }
+
+  /**
+   * The exception for an argument that is wrong in a way of its own.
+   *
+   * @param key key of the message in the bundle {@code arguments.messages}
+   * @param parts what the message names: the argument, its value and what else it needs
+   * @return the exception, to be thrown
+   */
+  public static IllegalArgumentException wrong(final String key, final Object... parts) {
+    return new IllegalArgumentException(message(key, parts));
+  }
+
+  /**
+   * The exception for a call at the wrong moment.
+   *
+   * @param key key of the message in the bundle {@code arguments.messages}
+   * @param parts what the message names
+   * @return the exception, to be thrown
+   */
+  public static IllegalStateException wrongState(final String key, final Object... parts) {
+    return new IllegalStateException(message(key, parts));
+  }
+
+  private static String message(final String key, final Object... parts) {
+    final Object[] texts = new Object[parts.length];
+    for (int i = 0; i < parts.length; i++) {
+      texts[i] = String.valueOf(parts[i]);
+    }
+    return MessageFormat.format(ResourceBundle.getBundle("arguments.messages").getString(key), texts);
+  }
+}

@@ -1,0 +1,286 @@
+package models;
+
+import static arguments.Arguments.direction;
+import static arguments.Arguments.finite;
+import static arguments.Arguments.notNull;
+import static arguments.Arguments.wrong;
+
+import java.awt.Color;
+
+import javax.vecmath.AxisAngle4d;
+import javax.vecmath.Matrix3d;
+import javax.vecmath.Vector3f;
+
+import acceleration.RayTile;
+import primitives.BoundingBox;
+import tracer.Hit;
+import tracer.Ray;
+
+/**
+ * An object scaled, then rotated, then moved: p goes to T·R·S·p.
+ *
+ * <p>The ray is taken to the object's frame by the inverse, where its direction has some length k; it is brought to unit
+ * length, and the t found is divided by k. The normal goes back by the inverse transpose. Distance, point and normal of a
+ * hit are those of the scene; its object is the one that was met.
+ */
+public class AffineTransformation extends Object3D {
+
+  private static final Vector3f NO_SCALE = new Vector3f(1, 1, 1);
+  private static final Vector3f NO_AXIS = new Vector3f(0, 1, 0);
+  private static final Vector3f NO_SHIFT = new Vector3f();
+
+  private final Object3D object;
+  private final Matrix3d toScene;
+  private final Matrix3d toObject;
+  private final double shiftX;
+  private final double shiftY;
+  private final double shiftZ;
+
+  /**
+   * Scale, rotation and translation.
+   *
+   * @param s factors of scale along x, y and z; negative ones mirror, 0 is not allowed
+   * @param axis direction of the axis of rotation through the origin, of any length but 0
+   * @param theta angle in degrees, counter-clockwise seen from the tip of the axis
+   * @param d translation in scene units
+   * @param object object to act on
+   * @throws IllegalArgumentException if an argument is null or not finite, if a factor is 0, if the axis is zero
+   */
+  public AffineTransformation(final Vector3f s, final Vector3f axis, final float theta,
+      final Vector3f d, final Object3D object) {
+    this.object = notNull("object", object);
+    object.becomePart();
+    this.shiftX = finite("d", d).x;
+    this.shiftY = d.y;
+    this.shiftZ = d.z;
+    final Matrix3d rotation = rotation(direction("axis", axis), finite("theta", theta));
+    this.toScene = product(rotation, factors(s));
+    rotation.transpose();
+    this.toObject = product(new Matrix3d(1.0 / s.x, 0, 0, 0, 1.0 / s.y, 0, 0, 0, 1.0 / s.z), rotation);
+  }
+
+  /**
+   * Scale and rotation.
+   *
+   * @param s factors of scale along x, y and z; negative ones mirror, 0 is not allowed
+   * @param axis direction of the axis of rotation through the origin, of any length but 0
+   * @param theta angle in degrees, counter-clockwise seen from the tip of the axis
+   * @param object object to act on
+   * @throws IllegalArgumentException if an argument is null or not finite, if a factor is 0, if the axis is zero
+   */
+  public AffineTransformation(final Vector3f s, final Vector3f axis, final float theta, final Object3D object) {
+    this(s, axis, theta, NO_SHIFT, object);
+  }
+
+  /**
+   * Rotation and translation.
+   *
+   * @param axis direction of the axis of rotation through the origin, of any length but 0
+   * @param theta angle in degrees, counter-clockwise seen from the tip of the axis
+   * @param d translation in scene units
+   * @param object object to act on
+   * @throws IllegalArgumentException if an argument is null or not finite, if the axis is zero
+   */
+  public AffineTransformation(final Vector3f axis, final float theta, final Vector3f d, final Object3D object) {
+    this(NO_SCALE, axis, theta, d, object);
+  }
+
+  /**
+   * Scale and translation.
+   *
+   * @param s factors of scale along x, y and z; negative ones mirror, 0 is not allowed
+   * @param d translation in scene units
+   * @param object object to act on
+   * @throws IllegalArgumentException if an argument is null or not finite, if a factor is 0
+   */
+  public AffineTransformation(final Vector3f s, final Vector3f d, final Object3D object) {
+    this(s, NO_AXIS, 0, d, object);
+  }
+
+  /**
+   * Rotation.
+   *
+   * @param axis direction of the axis of rotation through the origin, of any length but 0
+   * @param theta angle in degrees, counter-clockwise seen from the tip of the axis
+   * @param object object to act on
+   * @throws IllegalArgumentException if an argument is null or not finite, if the axis is zero
+   */
+  public AffineTransformation(final Vector3f axis, final float theta, final Object3D object) {
+    this(NO_SCALE, axis, theta, NO_SHIFT, object);
+  }
+
+  /**
+   * Scale.
+   *
+   * @param s factors of scale along x, y and z; negative ones mirror, 0 is not allowed
+   * @param object object to act on
+   * @throws IllegalArgumentException if an argument is null or not finite, if a factor is 0
+   */
+  public AffineTransformation(final Vector3f s, final Object3D object) {
+    this(s, NO_AXIS, 0, NO_SHIFT, object);
+  }
+
+  private static Matrix3d rotation(final Vector3f axis, final float theta) {
+    final double length = Axis.length(axis);
+    final Matrix3d rotation = new Matrix3d();
+    rotation.set(new AxisAngle4d(axis.x / length, axis.y / length, axis.z / length, Math.toRadians(theta)));
+    return rotation;
+  }
+
+  private static Matrix3d factors(final Vector3f s) {
+    if (finite("s", s).x == 0 || s.y == 0 || s.z == 0) {
+      throw wrong("scale", "s", s);
+    }
+    return new Matrix3d(s.x, 0, 0, 0, s.y, 0, 0, 0, s.z);
+  }
+
+  private static Matrix3d product(final Matrix3d a, final Matrix3d b) {
+    final Matrix3d product = new Matrix3d();
+    product.mul(a, b);
+    return product;
+  }
+
+  @Override
+  void becomePart() {
+    object.becomePart();
+  }
+
+  @Override
+  public Color getColor() {
+    return object.getColor();
+  }
+
+  @Override
+  public Hit intersectionWith(final Ray ray) {
+    if (notNull("ray", ray) == Ray.NORAY) {
+      return Hit.NOHIT;
+    }
+    final double t = distance(ray.startX(), ray.startY(), ray.startZ(),
+        ray.directionX(), ray.directionY(), ray.directionZ());
+    if (Double.isNaN(t)) {
+      final Hit hit = askFor(object, toObject(ray));
+      return inScene(hit, hit.getT() / stretch(ray.directionX(), ray.directionY(), ray.directionZ()));
+    }
+    return Hit.isDistance(t) ? hitAt(ray, t, 0) : Hit.NOHIT;
+  }
+
+  @Override
+  double distance(final double x, final double y, final double z, final double dx, final double dy, final double dz) {
+    final double k = stretch(dx, dy, dz), px = x - shiftX, py = y - shiftY, pz = z - shiftZ;
+    return object.distance(firstOf(px, py, pz), secondOf(px, py, pz), thirdOf(px, py, pz),
+        firstOf(dx, dy, dz) / k, secondOf(dx, dy, dz) / k, thirdOf(dx, dy, dz) / k) / k;
+  }
+
+  @Override
+  Hit hitAt(final Ray ray, final double t, final int part) {
+    final double k = stretch(ray.directionX(), ray.directionY(), ray.directionZ());
+    return inScene(object.hitAt(toObject(ray), t * k, part), t);
+  }
+
+  /** Length in the object's frame of a unit vector of the scene. */
+  private double stretch(final double dx, final double dy, final double dz) {
+    final double x = firstOf(dx, dy, dz), y = secondOf(dx, dy, dz), z = thirdOf(dx, dy, dz);
+    return Math.sqrt(x * x + y * y + z * z);
+  }
+
+  private double firstOf(final double x, final double y, final double z) {
+    return toObject.m00 * x + toObject.m01 * y + toObject.m02 * z;
+  }
+
+  private double secondOf(final double x, final double y, final double z) {
+    return toObject.m10 * x + toObject.m11 * y + toObject.m12 * z;
+  }
+
+  private double thirdOf(final double x, final double y, final double z) {
+    return toObject.m20 * x + toObject.m21 * y + toObject.m22 * z;
+  }
+
+  private Ray toObject(final Ray ray) {
+    final double dx = ray.directionX(), dy = ray.directionY(), dz = ray.directionZ(), k = stretch(dx, dy, dz);
+    final double px = ray.startX() - shiftX, py = ray.startY() - shiftY, pz = ray.startZ() - shiftZ;
+    return Ray.exactly(firstOf(px, py, pz), secondOf(px, py, pz), thirdOf(px, py, pz),
+        firstOf(dx, dy, dz) / k, secondOf(dx, dy, dz) / k, thirdOf(dx, dy, dz) / k);
+  }
+
+  /** A hit of the object's frame at a distance of the scene; the normal goes by the inverse transpose. */
+  private Hit inScene(final Hit hit, final double t) {
+    final double x = hit.pointX(), y = hit.pointY(), z = hit.pointZ();
+    final double nx = hit.normalX(), ny = hit.normalY(), nz = hit.normalZ();
+    return Hit.of(t,
+        toScene.m00 * x + toScene.m01 * y + toScene.m02 * z + shiftX,
+        toScene.m10 * x + toScene.m11 * y + toScene.m12 * z + shiftY,
+        toScene.m20 * x + toScene.m21 * y + toScene.m22 * z + shiftZ,
+        toObject.m00 * nx + toObject.m10 * ny + toObject.m20 * nz,
+        toObject.m01 * nx + toObject.m11 * ny + toObject.m21 * nz,
+        toObject.m02 * nx + toObject.m12 * ny + toObject.m22 * nz, hit.getObject());
+  }
+
+  @Override
+  boolean answersTiles() {
+    return object.answersTiles();
+  }
+
+  @Override
+  void closestHits(final RayTile rays, final TileHits hits) {
+    if (!answersTiles()) {
+      super.closestHits(rays, hits);
+      return;
+    }
+    final TileHits local = hits.nested();
+    fill(local.rays(), rays);
+    local.clear();
+    object.closestHits(local.rays(), local);
+    for (int row = rays.firstRow(); row <= rays.lastRow(); row++) {
+      for (int i = row * RayTile.SIZE + rays.firstColumn(); i <= row * RayTile.SIZE + rays.lastColumn(); i++) {
+        if (local.hits(i)) {
+          final double t = (float) local.distance(i) / stretch(rays.directionX(i), rays.directionY(i), rays.directionZ(i));
+          if (hits.isCloser(i, t, local.part(i))) {
+            hits.take(i, t, this, local.painted(i), local.part(i));
+          }
+        }
+      }
+    }
+  }
+
+  private void fill(final RayTile local, final RayTile rays) {
+    local.open(rays.columns(), rays.rows());
+    for (int row = rays.firstRow(); row <= rays.lastRow(); row++) {
+      for (int i = row * RayTile.SIZE + rays.firstColumn(); i <= row * RayTile.SIZE + rays.lastColumn(); i++) {
+        final double dx = rays.directionX(i), dy = rays.directionY(i), dz = rays.directionZ(i), k = stretch(dx, dy, dz);
+        final double px = rays.startX(i) - shiftX, py = rays.startY(i) - shiftY, pz = rays.startZ(i) - shiftZ;
+        local.putExactly(i, firstOf(px, py, pz), secondOf(px, py, pz), thirdOf(px, py, pz),
+            firstOf(dx, dy, dz) / k, secondOf(dx, dy, dz) / k, thirdOf(dx, dy, dz) / k);
+      }
+    }
+    local.close();
+  }
+
+  @Override
+  public BoundingBox getBoundingBox() {
+    final BoundingBox box = object.getBoundingBox();
+    if (!box.isFinite()) {
+      return box;
+    }
+    final double x = 0.5 * ((double) box.minX() + box.maxX()), y = 0.5 * ((double) box.minY() + box.maxY()),
+        z = 0.5 * ((double) box.minZ() + box.maxZ());
+    final double hx = 0.5 * ((double) box.maxX() - box.minX()), hy = 0.5 * ((double) box.maxY() - box.minY()),
+        hz = 0.5 * ((double) box.maxZ() - box.minZ());
+    return BoundingBox.around(
+        toScene.m00 * x + toScene.m01 * y + toScene.m02 * z + shiftX,
+        toScene.m10 * x + toScene.m11 * y + toScene.m12 * z + shiftY,
+        toScene.m20 * x + toScene.m21 * y + toScene.m22 * z + shiftZ,
+        Math.abs(toScene.m00) * hx + Math.abs(toScene.m01) * hy + Math.abs(toScene.m02) * hz,
+        Math.abs(toScene.m10) * hx + Math.abs(toScene.m11) * hy + Math.abs(toScene.m12) * hz,
+        Math.abs(toScene.m20) * hx + Math.abs(toScene.m21) * hy + Math.abs(toScene.m22) * hz);
+  }
+
+  /** The object that is transformed. */
+  Object3D object() {
+    return object;
+  }
+
+  @Override
+  public String toString() {
+    return "AffineTransformation(" + object + ")";
+  }
+}

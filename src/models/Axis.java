@@ -1,0 +1,74 @@
+package models;
+
+import static arguments.Arguments.direction;
+import static arguments.Arguments.finite;
+
+import javax.vecmath.Tuple3f;
+
+import primitives.BoundingBox;
+import primitives.Point3D;
+import primitives.Vector3D;
+
+/** The axis of a round object: a point of it and a unit direction, in double. */
+final class Axis {
+
+  final double x;
+  final double y;
+  final double z;
+  final double ux;
+  final double uy;
+  final double uz;
+
+  /**
+   * An axis.
+   *
+   * @param point name and value of the point come from the shape's constructor
+   * @throws IllegalArgumentException if an argument is null or not finite, or if the direction is zero
+   */
+  Axis(final String pointName, final Point3D point, final String directionName, final Vector3D direction) {
+    x = finite(pointName, point).x;
+    y = point.y;
+    z = point.z;
+    final double length = length(direction(directionName, direction));
+    ux = direction.x / length;
+    uy = direction.y / length;
+    uz = direction.z / length;
+  }
+
+  /** Length of a vector, without the overflow or underflow of its squares in float. */
+  static double length(final Tuple3f v) {
+    return Math.sqrt((double) v.x * v.x + (double) v.y * v.y + (double) v.z * v.z);
+  }
+
+  /** Component along the axis of a vector. */
+  double along(final double vx, final double vy, final double vz) {
+    return vx * ux + vy * uy + vz * uz;
+  }
+
+  /**
+   * Box about a disc, or about what it sweeps along the axis.
+   *
+   * @param half half the length swept, to either side of the point
+   * @param r radius of the disc, whose plane is perpendicular to the axis
+   */
+  BoundingBox boxAroundDisc(final double half, final double r) {
+    return BoundingBox.around(x, y, z, half * Math.abs(ux) + r * across(ux), half * Math.abs(uy) + r * across(uy),
+        half * Math.abs(uz) + r * across(uz));
+  }
+
+  /** Box about a ball, or about what it sweeps along the axis. See {@link #boxAroundDisc}. */
+  BoundingBox boxAroundBall(final double half, final double r) {
+    return BoundingBox.around(x, y, z, half * Math.abs(ux) + r, half * Math.abs(uy) + r, half * Math.abs(uz) + r);
+  }
+
+  /** Greatest coordinate of a unit vector perpendicular to the axis; rounding can take it out of 0 … 1. */
+  private static double across(final double u) {
+    return Math.sqrt(Math.max(0, 1 - u * u)) + 0x1p-26;
+  }
+
+  @Override
+  public String toString() {
+    return "P=(" + (float) x + ", " + (float) y + ", " + (float) z + "), u=("
+        + (float) ux + ", " + (float) uy + ", " + (float) uz + ")";
+  }
+}

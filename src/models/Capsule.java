@@ -1,0 +1,94 @@
+package models;
+
+import static arguments.Arguments.positive;
+
+import java.awt.Color;
+
+import primitives.BoundingBox;
+import primitives.Point3D;
+import primitives.Vector3D;
+import tracer.Hit;
+import tracer.Ray;
+
+/**
+ * A capsule: the points no farther than r from a segment of length l about P, which is a cylinder with hemispheres
+ * outside both its ends.
+ *
+ * <p>A line that enters the cylinder without end beside the segment enters the capsule there; one that enters beyond
+ * an end can do so only through the sphere of that end; and the same for leaving. The normal points from the closest
+ * point of the segment. Source: the capsule is a sphere swept along a segment, Ericson, "Real-Time Collision
+ * Detection", 2005, §5.3.
+ */
+public class Capsule extends Object3D {
+
+  private final Axis axis;
+  private final double r;
+  private final double half;
+
+  /**
+   * A capsule.
+   *
+   * @param P middle of the axis segment, which runs from P − (l/2) û to P + (l/2) û
+   * @param u direction of the axis, of any length but 0
+   * @param r radius of the side and of both ends, &gt; 0
+   * @param l length of the segment, without the hemispheres, &gt; 0
+   * @param color colour
+   * @throws IllegalArgumentException if an argument is null or not finite, if u is zero, or if a size is not positive
+   */
+  public Capsule(final Point3D P, final Vector3D u, final float r, final float l, final Color color) {
+    super(color);
+    this.axis = new Axis("P", P, "u", u);
+    this.r = positive("r", r);
+    this.half = positive("l", l) * 0.5;
+  }
+
+  @Override
+  public Hit intersectionWith(final Ray ray) {
+    return closestHit(ray);
+  }
+
+  @Override
+  double distance(final double sx, final double sy, final double sz, final double dx, final double dy, final double dz) {
+    final Axis u = axis;
+    final double lx = u.x - sx, ly = u.y - sy, lz = u.z - sz;
+    final double s = u.along(lx, ly, lz), d = u.along(dx, dy, dz);
+    final RoundSide side = new RoundSide(lx - s * u.ux, ly - s * u.uy, lz - s * u.uz,
+        dx - d * u.ux, dy - d * u.uy, dz - d * u.uz, r);
+    final double above = side.enter * d - s, below = side.leave * d - s;
+    final double enter = Math.abs(above) <= half ? side.enter : end(lx, ly, lz, dx, dy, dz, Math.copySign(half, above), -1);
+    final double leave = Math.abs(below) <= half ? side.leave : end(lx, ly, lz, dx, dy, dz, Math.copySign(half, below), 1);
+    return enter <= leave && side.enter <= side.leave
+        ? Quadratic.firstPositive(enter, leave) : Double.POSITIVE_INFINITY;
+  }
+
+  /** Where a line enters (side −1) or leaves (side 1) the sphere at a place along the axis; NaN if it misses. */
+  private double end(final double x, final double y, final double z, final double dx, final double dy, final double dz,
+      final double at, final int side) {
+    final double lx = x + at * axis.ux, ly = y + at * axis.uy, lz = z + at * axis.uz;
+    final double b = lx * dx + ly * dy + lz * dz, c = lx * lx + ly * ly + lz * lz - r * r;
+    final double px = lx - b * dx, py = ly - b * dy, pz = lz - b * dz;
+    final double root = Math.sqrt(r * r - (px * px + py * py + pz * pz));
+    return side < 0 ? Quadratic.smaller(1, b, c, root) : Quadratic.greater(1, b, c, root);
+  }
+
+  @Override
+  Hit hitAt(final Ray ray, final double t, final int part) {
+    final Axis u = axis;
+    final double lx = ray.startX() + t * ray.directionX() - u.x, ly = ray.startY() + t * ray.directionY() - u.y,
+        lz = ray.startZ() + t * ray.directionZ() - u.z;
+    final double s = Math.max(-half, Math.min(half, u.along(lx, ly, lz)));
+    final double nx = lx - s * u.ux, ny = ly - s * u.uy, nz = lz - s * u.uz;
+    final double k = r / Math.sqrt(nx * nx + ny * ny + nz * nz);
+    return Hit.of(t, u.x + s * u.ux + k * nx, u.y + s * u.uy + k * ny, u.z + s * u.uz + k * nz, nx, ny, nz, this);
+  }
+
+  @Override
+  public BoundingBox getBoundingBox() {
+    return axis.boxAroundBall(half, r);
+  }
+
+  @Override
+  public String toString() {
+    return "Capsule(" + axis + ", r=" + (float) r + ", l=" + (float) (2 * half) + ")";
+  }
+}

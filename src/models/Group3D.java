@@ -1,0 +1,148 @@
+package models;
+
+import static arguments.Arguments.notNull;
+import static arguments.Arguments.wrong;
+
+import java.awt.Color;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Deque;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicLong;
+
+import acceleration.RayTile;
+import primitives.BoundingBox;
+import tracer.Hit;
+import tracer.Ray;
+
+/**
+ * A group of objects, which is an object itself: the way to put a scene together.
+ *
+ * <p>Its answer to a ray is the closest hit of its objects; of two at the same distance, that of the object added first.
+ * Instead of asking all of them it keeps a tree of their boxes ({@link acceleration.Bvh}), which is made at the
+ * first question after an {@link #addObject} to it or to a group within it; the answers are the same. Groups within a group
+ * are opened up for that. Safe for use by several threads: an object that is added while another thread asks belongs to
+ * the group for the questions that begin after {@code addObject} has returned.
+ */
+public class Group3D extends Object3D {
+
+  /** Number of objects added to any group so far: while it stands still, no tree is out of date. */
+  private static final AtomicLong ADDITIONS = new AtomicLong();
+
+  private final List<Object3D> objects = new ArrayList<>();
+  private volatile GroupMembers members;
+  /** Whether it is within another object, and so can come to contain itself. */
+  private volatile boolean isPart;
+
+  /** An empty group. */
+  public Group3D() {
+    super();
+  }
+
+  /**
+   * Adds an object, the last one so far in the order of the group.
+   *
+   * @param obj the object
+   * @throws IllegalArgumentException if the object is null, or is this group or contains it
+   */
+  public void addObject(final Object3D obj) {
+    notNull("obj", obj);
+    synchronized (ADDITIONS) {
+      if (obj == this || isPart && contains(obj, this)) {
+        throw wrong("cycle");
+      }
+      obj.becomePart();
+      synchronized (objects) {
+        objects.add(obj);
+      }
+      ADDITIONS.incrementAndGet();
+    }
+  }
+
+  @Override
+  void becomePart() {
+    isPart = true;
+  }
+
+  private static boolean contains(final Object3D whole, final Object3D part) {
+    final Set<Object3D> seen = Collections.newSetFromMap(new IdentityHashMap<>());
+    final Deque<Object3D> open = new ArrayDeque<>(List.of(whole));
+    while (!open.isEmpty()) {
+      final Object3D object = open.pop();
+      if (object == part) {
+        return true;
+      }
+      if (seen.add(object)) {
+        partsOf(object).forEach(open::push);
+      }
+    }
+    return false;
+  }
+
+  /** The objects of a group, the one of a transformation, none of any other. */
+  static List<Object3D> partsOf(final Object3D object) {
+    if (object instanceof Group3D) {
+      return ((Group3D) object).objects();
+    }
+    return object instanceof AffineTransformation ? List.of(((AffineTransformation) object).object()) : List.of();
+  }
+
+  /** The objects, in the order in which they were added. */
+  List<Object3D> objects() {
+    synchronized (objects) {
+      return List.copyOf(objects);
+    }
+  }
+
+  private GroupMembers members() {
+    final GroupMembers known = members;
+    final long additions = ADDITIONS.get();
+    if (known != null && known.areOf(additions)) {
+      return known;
+    }
+    synchronized (this) {
+      members = GroupMembers.of(this, members, additions);
+      return members;
+    }
+  }
+
+  /** Answers null: the objects have colours of their own. */
+  @Override
+  public Color getColor() {
+    return null;
+  }
+
+  @Override
+  public Hit intersectionWith(final Ray ray) {
+    return notNull("ray", ray) == Ray.NORAY ? Hit.NOHIT : members().closestHit(ray);
+  }
+
+  @Override
+  boolean answersTiles() {
+    return true;
+  }
+
+  /**
+   * Offers the closest hits of the rays of a tile: what {@link #intersectionWith} answers for each of them.
+   *
+   * @param rays the rays
+   * @param hits the hits found so far, {@link TileHits#clear cleared} by whoever begins
+   */
+  @Override
+  public void closestHits(final RayTile rays, final TileHits hits) {
+    members().closestHits(rays, hits);
+  }
+
+  @Override
+  public BoundingBox getBoundingBox() {
+    return members().box();
+  }
+
+  @Override
+  public String toString() {
+    return "Group3D(" + objects().size() + " objects)";
+  }
+}

@@ -1,0 +1,54 @@
+package models;
+
+import acceleration.Bvh;
+import tracer.Ray;
+
+/** The closest triangle of a mesh on one ray; of two at the same distance, that of the facet of lower number. */
+final class MeshRay implements Bvh.Leaves {
+
+  private final Ray ray;
+  private final MeshTree mesh;
+  private double t = Double.POSITIVE_INFINITY;
+  private int facet = -1;
+
+  MeshRay(final Ray ray, final MeshTree mesh) {
+    this.ray = ray;
+    this.mesh = mesh;
+    mesh.closest(ray, this);
+  }
+
+  boolean hits() {
+    return facet >= 0;
+  }
+
+  double distance() {
+    return t;
+  }
+
+  int facet() {
+    return facet;
+  }
+
+  @Override
+  public double visit(final int first, final int end) {
+    for (int place = first; place < end; place++) {
+      test(place);
+    }
+    return t * ClosestHit.SAME;
+  }
+
+  private void test(final int place) {
+    final double x = ray.startX(), y = ray.startY(), z = ray.startZ();
+    final int a = mesh.vertex(place, 0), b = mesh.vertex(place, 1), c = mesh.vertex(place, 2);
+    final double distance = EdgeTest.distance(
+        mesh.coordinate(a) - x, mesh.coordinate(a + 1) - y, mesh.coordinate(a + 2) - z,
+        mesh.coordinate(b) - x, mesh.coordinate(b + 1) - y, mesh.coordinate(b + 2) - z,
+        mesh.coordinate(c) - x, mesh.coordinate(c + 1) - y, mesh.coordinate(c + 2) - z,
+        ray.directionX(), ray.directionY(), ray.directionZ());
+    final float f = (float) distance, best = (float) t;
+    if (f > 0 && (f < best || f == best && mesh.facet(place) < facet)) {
+      t = distance;
+      facet = mesh.facet(place);
+    }
+  }
+}

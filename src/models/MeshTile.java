@@ -1,0 +1,113 @@
+package models;
+
+import acceleration.Bvh;
+import acceleration.RayTile;
+import acceleration.TileFrustum;
+
+/**
+ * The closest triangles of a mesh on the rays of a tile. A triangle of a leaf is projected into the tile, and only the rays
+ * of the pixels that it may cover are tested. If the rays share a start, what the test needs of a triangle is computed once
+ * for all of them. The numbers are those of {@link EdgeTest#distance}, bit for bit.
+ */
+final class MeshTile implements Bvh.Leaves {
+
+  private final RayTile rays;
+  private final TileFrustum frustum;
+  private final TileHits hits;
+  private final TriangularMesh owner;
+  private final MeshTree mesh;
+  private final double x;
+  private final double y;
+  private final double z;
+
+  MeshTile(final RayTile rays, final TileHits hits, final TriangularMesh owner, final MeshTree mesh) {
+    this.rays = rays;
+    this.frustum = rays.frustum();
+    this.hits = hits;
+    this.owner = owner;
+    this.mesh = mesh;
+    this.x = frustum.originX();
+    this.y = frustum.originY();
+    this.z = frustum.originZ();
+  }
+
+  void findHits() {
+    if (frustum.isFitted()) {
+      mesh.closest(frustum, this);
+    } else {
+      rayByRay();
+    }
+  }
+
+  private void rayByRay() {
+    for (int row = 0; row < rays.rows(); row++) {
+      for (int i = row * RayTile.SIZE; i < row * RayTile.SIZE + rays.columns(); i++) {
+        if (rays.isPresent(i)) {
+          final MeshRay query = new MeshRay(hits.ray(i), mesh);
+          if (query.hits() && hits.isCloser(i, query.distance(), query.facet())) {
+            hits.take(i, query.distance(), owner, owner, query.facet());
+          }
+        }
+      }
+    }
+  }
+
+  @Override
+  public double visit(final int first, final int end) {
+    for (int place = first; place < end; place++) {
+      final int a = mesh.vertex(place, 0), b = mesh.vertex(place, 1), c = mesh.vertex(place, 2);
+      final double ax = mesh.coordinate(a) - x, ay = mesh.coordinate(a + 1) - y, az = mesh.coordinate(a + 2) - z;
+      final double bx = mesh.coordinate(b) - x, by = mesh.coordinate(b + 1) - y, bz = mesh.coordinate(b + 2) - z;
+      final double cx = mesh.coordinate(c) - x, cy = mesh.coordinate(c + 1) - y, cz = mesh.coordinate(c + 2) - z;
+      if (frustum.project(ax, ay, az, bx, by, bz, cx, cy, cz)) {
+        if (frustum.isPyramid()) {
+          test(place, ax, ay, az, bx, by, bz, cx, cy, cz);
+        } else {
+          testEach(place, a, b, c);
+        }
+      }
+    }
+    return hits.farthest();
+  }
+
+  /** Rays with one start: the edges' products and the plane are the same for all. */
+  private void test(final int place, final double ax, final double ay, final double az,
+      final double bx, final double by, final double bz, final double cx, final double cy, final double cz) {
+    final double ex = by * cz - bz * cy, ey = bz * cx - bx * cz, ez = bx * cy - by * cx;
+    final double fx = cy * az - cz * ay, fy = cz * ax - cx * az, fz = cx * ay - cy * ax;
+    final double gx = ay * bz - az * by, gy = az * bx - ax * bz, gz = ax * by - ay * bx;
+    final double error = EdgeTest.error(ax, ay, az, bx, by, bz, cx, cy, cz);
+    final int firstColumn = frustum.firstColumn(), lastColumn = frustum.lastColumn(), lastRow = frustum.lastRow();
+    for (int row = frustum.firstRow(); row <= lastRow; row++) {
+      final int last = row * RayTile.SIZE + lastColumn;
+      for (int i = row * RayTile.SIZE + firstColumn; i <= last; i++) {
+        final double dx = rays.directionX(i), dy = rays.directionY(i), dz = rays.directionZ(i);
+        final double e = dx * ex + dy * ey + dz * ez, f = dx * fx + dy * fy + dz * fz, g = dx * gx + dy * gy + dz * gz;
+        if (EdgeTest.isInside(e, f, g, error) || !EdgeTest.isOutside(e, f, g, error)
+            && EdgeTest.isInsideExactly(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz)) {
+          offer(i, place, EdgeTest.planeDistance(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz));
+        }
+      }
+    }
+  }
+
+  /** Rays with one direction. */
+  private void testEach(final int place, final int a, final int b, final int c) {
+    for (int row = frustum.firstRow(); row <= frustum.lastRow(); row++) {
+      for (int i = row * RayTile.SIZE + frustum.firstColumn(); i <= row * RayTile.SIZE + frustum.lastColumn(); i++) {
+        final double sx = rays.startX(i), sy = rays.startY(i), sz = rays.startZ(i);
+        offer(i, place, EdgeTest.distance(
+            mesh.coordinate(a) - sx, mesh.coordinate(a + 1) - sy, mesh.coordinate(a + 2) - sz,
+            mesh.coordinate(b) - sx, mesh.coordinate(b + 1) - sy, mesh.coordinate(b + 2) - sz,
+            mesh.coordinate(c) - sx, mesh.coordinate(c + 1) - sy, mesh.coordinate(c + 2) - sz,
+            rays.directionX(i), rays.directionY(i), rays.directionZ(i)));
+      }
+    }
+  }
+
+  private void offer(final int i, final int place, final double distance) {
+    if (hits.isCloser(i, distance, mesh.facet(place))) {
+      hits.take(i, distance, owner, owner, mesh.facet(place));
+    }
+  }
+}

@@ -1,0 +1,109 @@
+package models;
+
+import java.awt.Color;
+
+import acceleration.Bvh;
+import acceleration.TileFrustum;
+import primitives.BoundingBox;
+import primitives.Point3D;
+import tracer.Ray;
+
+/**
+ * The triangles of a mesh in the order of a tree of their boxes, so that those close together in space lie close together in
+ * memory. A triangle is known by its place in this order, and by the number of its facet, which is what others see.
+ */
+final class MeshTree {
+
+  /** Triangles to a leaf: fewer cost memory, more cost tests. */
+  private static final int LEAF = 4;
+
+  private final float[] coordinates;
+  private final int[] corners;
+  private final int[] facets;
+  private final Bvh tree;
+  private final BoundingBox box;
+
+  /** The place of each facet; found when it is first needed. */
+  private volatile int[] places;
+
+  MeshTree(final MeshArrays arrays) {
+    coordinates = arrays.coordinates;
+    facets = new int[arrays.corners.length / 3];
+    final float[] boxes = boxes(arrays);
+    box = union(boxes);
+    tree = Bvh.over(boxes, LEAF, facets);
+    corners = new int[arrays.corners.length];
+    for (int i = 0; i < facets.length; i++) {
+      System.arraycopy(arrays.corners, 3 * facets[i], corners, 3 * i, 3);
+    }
+  }
+
+  private static float[] boxes(final MeshArrays arrays) {
+    final float[] boxes = new float[2 * arrays.corners.length], v = arrays.coordinates;
+    for (int i = 0; i < arrays.corners.length; i += 3) {
+      final int a = arrays.corners[i], b = arrays.corners[i + 1], c = arrays.corners[i + 2];
+      for (int k = 0; k < 3; k++) {
+        boxes[2 * i + k] = Math.min(v[a + k], Math.min(v[b + k], v[c + k]));
+        boxes[2 * i + 3 + k] = Math.max(v[a + k], Math.max(v[b + k], v[c + k]));
+      }
+    }
+    return boxes;
+  }
+
+  private static BoundingBox union(final float[] boxes) {
+    final float[] all = java.util.Arrays.copyOf(boxes, 6);
+    for (int i = 6; i < boxes.length; i += 6) {
+      for (int k = 0; k < 3; k++) {
+        all[k] = Math.min(all[k], boxes[i + k]);
+        all[k + 3] = Math.max(all[k + 3], boxes[i + 3 + k]);
+      }
+    }
+    return new BoundingBox(new Point3D(all[0], all[1], all[2]), new Point3D(all[3], all[4], all[5]));
+  }
+
+  int size() {
+    return facets.length;
+  }
+
+  BoundingBox box() {
+    return box;
+  }
+
+  void closest(final Ray ray, final Bvh.Leaves leaves) {
+    tree.closest(ray.startX(), ray.startY(), ray.startZ(), ray.directionX(), ray.directionY(), ray.directionZ(), leaves);
+  }
+
+  void closest(final TileFrustum frustum, final Bvh.Leaves leaves) {
+    tree.closest(frustum, leaves);
+  }
+
+  int facet(final int place) {
+    return facets[place];
+  }
+
+  /** Where in the coordinates a vertex, 0, 1 or 2, of the triangle at a place begins. */
+  int vertex(final int place, final int which) {
+    return corners[3 * place + which];
+  }
+
+  float coordinate(final int at) {
+    return coordinates[at];
+  }
+
+  Triangle triangle(final int facet, final Color color) {
+    final int place = places()[facet];
+    return new Triangle(coordinates, vertex(place, 0), vertex(place, 1), vertex(place, 2), color);
+  }
+
+  private int[] places() {
+    int[] known = places;
+    if (known == null) {
+      known = new int[facets.length];
+      for (int i = 0; i < facets.length; i++) {
+        known[facets[i]] = i;
+      }
+      places = known;
+    }
+    return known;
+  }
+}

@@ -1,0 +1,139 @@
+package models;
+
+import static arguments.Arguments.notNull;
+import static arguments.Arguments.wrongState;
+
+import java.awt.Color;
+
+import acceleration.RayTile;
+import primitives.BoundingBox;
+import tracer.Hit;
+import tracer.Ray;
+
+/**
+ * An object that rays can meet, and its colour.
+ *
+ * <p>A new kind of object extends this class and writes {@link #intersectionWith}, nothing else; if it has an end it
+ * should also write {@link #getBoundingBox}, so that rays that pass it by need not be asked. The contract of an
+ * intersection, the same for all shapes:
+ * <ul>
+ * <li>t is the smallest t &gt; 0 at which the ray meets the surface, the distance from its start in scene units; from
+ *     the inside of a closed object that is its far wall. A ray that starts exactly on the surface may or may not
+ *     meet it there; a tangent ray may or may not touch;</li>
+ * <li>the normal is of unit length and belongs to the surface: outward, never turned towards the ray;</li>
+ * <li>if there is no such t the answer is {@link Hit#NOHIT}, as it always is for {@link Ray#NORAY};</li>
+ * <li>the object is not changed, so that several threads can ask it at once.</li>
+ * </ul>
+ *
+ * <p>The shapes of this package answer faster by the three methods that only they see: {@link #distance}, a formula
+ * for t alone; {@link #hitAt}, which makes the hit once the closest t is known; and {@link #closestHits}, for all rays
+ * of a tile at once. Each has a default that calls {@link #intersectionWith}.
+ */
+public abstract class Object3D {
+
+  private final Color color;
+
+  /**
+   * An object of one colour.
+   *
+   * @param color its colour, perhaps partly transparent (alpha goes into the picture as it is)
+   * @throws IllegalArgumentException if the colour is null
+   */
+  protected Object3D(final Color color) {
+    this.color = notNull("color", color);
+  }
+
+  /** An object that has no colour of its own, but parts that have theirs. */
+  Object3D() {
+    this.color = null;
+  }
+
+  /**
+   * Colour of the object.
+   *
+   * @return the colour; null for a group and for a mesh of many colours
+   */
+  public Color getColor() {
+    return color;
+  }
+
+  /**
+   * A box that contains the object. The default contains all of space, so that every ray crosses it.
+   *
+   * @return the box; no hit lies outside
+   */
+  public BoundingBox getBoundingBox() {
+    return BoundingBox.UNBOUNDED;
+  }
+
+  /**
+   * Where a ray first meets the object.
+   *
+   * @param ray the ray; {@link Ray#NORAY} meets nothing
+   * @return the intersection of smallest t &gt; 0, or {@link Hit#NOHIT}
+   * @throws IllegalArgumentException if the ray is null
+   */
+  public abstract Hit intersectionWith(Ray ray);
+
+  /**
+   * Distance at which a ray, given as six numbers so that nothing needs to be allocated, first meets the object.
+   *
+   * @return the smallest t &gt; 0; infinity if there is none, also for a ray of NaN; NaN from an object that has no
+   *     such formula and wants {@link #intersectionWith} to be asked, as by default
+   */
+  double distance(final double x, final double y, final double z, final double dx, final double dy, final double dz) {
+    return Double.NaN;
+  }
+
+  /**
+   * The hit at a distance that is known already.
+   *
+   * @param ray the ray
+   * @param t what {@link #distance} or {@link #closestHits} found for it
+   * @param part which part of the object was met, as {@link #closestHits} told it; 0 for an object without parts
+   */
+  Hit hitAt(final Ray ray, final double t, final int part) {
+    return intersectionWith(ray);
+  }
+
+  /** Offers the closest hits of the rays within the tile's window. */
+  void closestHits(final RayTile rays, final TileHits hits) {
+    for (int row = rays.firstRow(); row <= rays.lastRow(); row++) {
+      for (int i = row * RayTile.SIZE + rays.firstColumn(); i <= row * RayTile.SIZE + rays.lastColumn(); i++) {
+        hits.offer(i, distance(rays.startX(i), rays.startY(i), rays.startZ(i),
+            rays.directionX(i), rays.directionY(i), rays.directionZ(i)), this);
+      }
+    }
+  }
+
+  /** Whether {@link #closestHits} does better than to ask ray by ray. */
+  boolean answersTiles() {
+    return false;
+  }
+
+  /** Is told that the object has become part of another. */
+  void becomePart() {
+  }
+
+  /** Colour of a part, as sRGB with alpha. */
+  int argb(final int part) {
+    return getColor().getRGB();
+  }
+
+  /** What an object answers to a ray, where an object of somebody else's may answer null. */
+  static Hit askFor(final Object3D object, final Ray ray) {
+    final Hit hit = object.intersectionWith(ray);
+    if (hit == null) {
+      throw wrongState("nullHit", object.getClass().getName());
+    }
+    return hit;
+  }
+
+  /** {@link #intersectionWith} for an object that has {@link #distance} and {@link #hitAt}. */
+  final Hit closestHit(final Ray ray) {
+    notNull("ray", ray);
+    final double t = distance(ray.startX(), ray.startY(), ray.startZ(),
+        ray.directionX(), ray.directionY(), ray.directionZ());
+    return Hit.isDistance(t) ? hitAt(ray, t, 0) : Hit.NOHIT;
+  }
+}

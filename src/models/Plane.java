@@ -1,0 +1,69 @@
+package models;
+
+import static arguments.Arguments.direction;
+import static arguments.Arguments.finite;
+
+import java.awt.Color;
+
+import primitives.Point3D;
+import primitives.Vector3D;
+import tracer.Hit;
+import tracer.Ray;
+
+/**
+ * A plane without end: (P − Q)·n = 0, with the normal n on the side that it was given for. It is met from both sides;
+ * a ray within the plane does not meet it.
+ *
+ * <p>t = (Q − R)·n / (v·n), where a ray along the plane gives an infinite or NaN t, which is no distance.
+ */
+public class Plane extends Object3D {
+
+  private final double x;
+  private final double y;
+  private final double z;
+  private final double nx;
+  private final double ny;
+  private final double nz;
+
+  /**
+   * A plane.
+   *
+   * @param P a point of it
+   * @param n its normal, of any length but 0
+   * @param color colour
+   * @throws IllegalArgumentException if an argument is null or not finite, or if n is zero
+   */
+  public Plane(final Point3D P, final Vector3D n, final Color color) {
+    super(color);
+    this.x = finite("P", P).x;
+    this.y = P.y;
+    this.z = P.z;
+    final double length = Axis.length(direction("n", n));
+    this.nx = n.x / length;
+    this.ny = n.y / length;
+    this.nz = n.z / length;
+  }
+
+  @Override
+  public Hit intersectionWith(final Ray ray) {
+    return closestHit(ray);
+  }
+
+  @Override
+  double distance(final double sx, final double sy, final double sz, final double dx, final double dy, final double dz) {
+    final double t = ((x - sx) * nx + (y - sy) * ny + (z - sz) * nz) / (dx * nx + dy * ny + dz * nz);
+    return t > 0 ? t : Double.POSITIVE_INFINITY;
+  }
+
+  @Override
+  Hit hitAt(final Ray ray, final double t, final int part) {
+    return Hit.of(t, ray.startX() + t * ray.directionX(), ray.startY() + t * ray.directionY(),
+        ray.startZ() + t * ray.directionZ(), nx, ny, nz, this);
+  }
+
+  @Override
+  public String toString() {
+    return "Plane(P=(" + (float) x + ", " + (float) y + ", " + (float) z + "), n=("
+        + (float) nx + ", " + (float) ny + ", " + (float) nz + "))";
+  }
+}

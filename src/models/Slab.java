@@ -1,0 +1,28 @@
+package models;
+
+/** The points whose coordinate along some axis is at most h from 0, and where a line enters and leaves them. */
+final class Slab {
+
+  private Slab() {
+  }
+
+  /**
+   * Parameter at which a line enters the slab.
+   *
+   * @param s coordinate of the line's start along the axis
+   * @param d component of its direction along the axis
+   * @param h half the thickness, &gt; 0
+   * @return the parameter; −∞ for a parallel line inside, NaN for one outside
+   */
+  static double enter(final double s, final double d, final double h) {
+    if (d == 0) {
+      return Math.abs(s) <= h ? Double.NEGATIVE_INFINITY : Double.NaN;
+    }
+    return ((d > 0 ? -h : h) - s) / d;
+  }
+
+  /** Parameter at which a line leaves the slab; +∞ for a parallel line. See {@link #enter}. */
+  static double leave(final double s, final double d, final double h) {
+    return d == 0 ? Double.POSITIVE_INFINITY : ((d > 0 ? h : -h) - s) / d;
+  }
+}

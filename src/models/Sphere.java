@@ -1,0 +1,79 @@
+package models;
+
+import static arguments.Arguments.finite;
+import static arguments.Arguments.positive;
+
+import java.awt.Color;
+
+import primitives.BoundingBox;
+import primitives.Point3D;
+import tracer.Hit;
+import tracer.Ray;
+
+/**
+ * A sphere: |P − C|² = r².
+ *
+ * <p>The discriminant is r² less the squared distance of the centre from the ray's line, which does not cancel when
+ * the sphere is far away; the roots are computed without cancellation, and the point of a hit is put back on the
+ * sphere, so that point and normal agree. Source: Haines, Günther and Akenine-Möller, "Precision Improvements for
+ * Ray/Sphere Intersection", Ray Tracing Gems, 2019, chapter 7.
+ */
+public class Sphere extends Object3D {
+
+  private final double x;
+  private final double y;
+  private final double z;
+  private final double r;
+
+  /**
+   * A sphere.
+   *
+   * @param C centre
+   * @param r radius, &gt; 0
+   * @param color colour
+   * @throws IllegalArgumentException if an argument is null or not finite, or if r is not positive
+   */
+  public Sphere(final Point3D C, final float r, final Color color) {
+    super(color);
+    this.x = finite("C", C).x;
+    this.y = C.y;
+    this.z = C.z;
+    this.r = positive("r", r);
+  }
+
+  @Override
+  public Hit intersectionWith(final Ray ray) {
+    return closestHit(ray);
+  }
+
+  @Override
+  double distance(final double sx, final double sy, final double sz, final double dx, final double dy, final double dz) {
+    final double lx = x - sx, ly = y - sy, lz = z - sz;
+    final double b = lx * dx + ly * dy + lz * dz;
+    final double px = lx - b * dx, py = ly - b * dy, pz = lz - b * dz;
+    final double discriminant = r * r - (px * px + py * py + pz * pz);
+    if (!(discriminant >= 0)) {
+      return Double.POSITIVE_INFINITY;
+    }
+    final double root = Math.sqrt(discriminant), c = lx * lx + ly * ly + lz * lz - r * r;
+    return Quadratic.firstPositive(Quadratic.smaller(1, b, c, root), Quadratic.greater(1, b, c, root));
+  }
+
+  @Override
+  Hit hitAt(final Ray ray, final double t, final int part) {
+    final double nx = ray.startX() + t * ray.directionX() - x, ny = ray.startY() + t * ray.directionY() - y,
+        nz = ray.startZ() + t * ray.directionZ() - z;
+    final double s = r / Math.sqrt(nx * nx + ny * ny + nz * nz);
+    return Hit.of(t, x + s * nx, y + s * ny, z + s * nz, nx, ny, nz, this);
+  }
+
+  @Override
+  public BoundingBox getBoundingBox() {
+    return BoundingBox.around(x, y, z, r, r, r);
+  }
+
+  @Override
+  public String toString() {
+    return "Sphere(C=(" + (float) x + ", " + (float) y + ", " + (float) z + "), r=" + (float) r + ")";
+  }
+}

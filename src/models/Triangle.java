@@ -1,0 +1,119 @@
+package models;
+
+import static arguments.Arguments.finite;
+import static arguments.Arguments.wrong;
+
+import java.awt.Color;
+
+import primitives.BoundingBox;
+import primitives.Point3D;
+import tracer.Hit;
+import tracer.Ray;
+
+/**
+ * A triangle, met from both sides. Its normal is (B − A) × (C − A): the vertices A, B, C appear counter-clockwise to
+ * whoever it points at.
+ *
+ * <p>The intersection test lets no ray pass between triangles that share an edge or a vertex; see {@code EdgeTest}.
+ */
+public class Triangle extends Object3D {
+
+  /** Height of a triangle, relative to its greatest coordinate, that rounding coordinates to floats can make up. */
+  private static final double ROUNDING = 0x1p-24;
+
+  private final float ax;
+  private final float ay;
+  private final float az;
+  private final float bx;
+  private final float by;
+  private final float bz;
+  private final float cx;
+  private final float cy;
+  private final float cz;
+
+  /**
+   * A triangle.
+   *
+   * @param A first vertex
+   * @param B second vertex, counter-clockwise
+   * @param C third vertex
+   * @param color colour
+   * @throws IllegalArgumentException if an argument is null or not finite, or if the vertices lie on one line, up to
+   *     the rounding of their coordinates
+   */
+  public Triangle(final Point3D A, final Point3D B, final Point3D C, final Color color) {
+    this(new float[] {finite("A", A).x, A.y, A.z, finite("B", B).x, B.y, B.z, finite("C", C).x, C.y, C.z}, 0, 3, 6, color);
+    if (isAligned()) {
+      throw wrong("aligned", A, B, C);
+    }
+  }
+
+  /** A triangle of a mesh, whose vertices start at the places a, b and c of its coordinates. */
+  Triangle(final float[] coordinates, final int a, final int b, final int c, final Color color) {
+    super(color);
+    ax = coordinates[a];
+    ay = coordinates[a + 1];
+    az = coordinates[a + 2];
+    bx = coordinates[b];
+    by = coordinates[b + 1];
+    bz = coordinates[b + 2];
+    cx = coordinates[c];
+    cy = coordinates[c + 1];
+    cz = coordinates[c + 2];
+  }
+
+  private boolean isAligned() {
+    final double px = (double) bx - ax, py = (double) by - ay, pz = (double) bz - az;
+    final double qx = (double) cx - ax, qy = (double) cy - ay, qz = (double) cz - az;
+    final double longest = Math.max(Math.hypot(Math.hypot(px, py), pz),
+        Math.max(Math.hypot(Math.hypot(qx, qy), qz), Math.hypot(Math.hypot(qx - px, qy - py), qz - pz)));
+    float greatest = 0;
+    for (final float coordinate : new float[] {ax, ay, az, bx, by, bz, cx, cy, cz}) {
+      greatest = Math.max(greatest, Math.abs(coordinate));
+    }
+    final double doubleArea = Math.hypot(Math.hypot(normalX(), normalY()), normalZ());
+    return !(doubleArea > ROUNDING * greatest * longest);
+  }
+
+  private double normalX() {
+    return ((double) by - ay) * ((double) cz - az) - ((double) bz - az) * ((double) cy - ay);
+  }
+
+  private double normalY() {
+    return ((double) bz - az) * ((double) cx - ax) - ((double) bx - ax) * ((double) cz - az);
+  }
+
+  private double normalZ() {
+    return ((double) bx - ax) * ((double) cy - ay) - ((double) by - ay) * ((double) cx - ax);
+  }
+
+  @Override
+  public Hit intersectionWith(final Ray ray) {
+    return closestHit(ray);
+  }
+
+  @Override
+  double distance(final double x, final double y, final double z, final double dx, final double dy, final double dz) {
+    final double t = EdgeTest.distance(ax - x, ay - y, az - z, bx - x, by - y, bz - z, cx - x, cy - y, cz - z, dx, dy, dz);
+    return t > 0 ? t : Double.POSITIVE_INFINITY;
+  }
+
+  @Override
+  Hit hitAt(final Ray ray, final double t, final int part) {
+    return Hit.of(t, ray.startX() + t * ray.directionX(), ray.startY() + t * ray.directionY(),
+        ray.startZ() + t * ray.directionZ(), normalX(), normalY(), normalZ(), this);
+  }
+
+  @Override
+  public BoundingBox getBoundingBox() {
+    return new BoundingBox(
+        new Point3D(Math.min(ax, Math.min(bx, cx)), Math.min(ay, Math.min(by, cy)), Math.min(az, Math.min(bz, cz))),
+        new Point3D(Math.max(ax, Math.max(bx, cx)), Math.max(ay, Math.max(by, cy)), Math.max(az, Math.max(bz, cz))));
+  }
+
+  @Override
+  public String toString() {
+    return "Triangle(A=(" + ax + ", " + ay + ", " + az + "), B=(" + bx + ", " + by + ", " + bz
+        + "), C=(" + cx + ", " + cy + ", " + cz + "))";
+  }
+}

@@ -1,0 +1,24 @@
+/**
+ * Objects that rays can meet: shapes, meshes, groups, and transformed objects. The contract of an intersection is in
+ * {@link models.Object3D}; frames, units and signs are in {@link primitives}.
+ *
+ * <h2>How to add a shape</h2>
+ * <p>Extend {@link models.Object3D}, give the colour to its constructor, and write {@code intersectionWith}: the hit of
+ * smallest t &gt; 0 with the outward unit normal, or {@link tracer.Hit#NOHIT}. That is all; such an object works in groups,
+ * transformations and images. Two things make it better:
+ * <ul>
+ * <li>{@code getBoundingBox}, so that rays that pass it by are not sent to it;</li>
+ * <li>computing in double what can cancel, such as a discriminant.</li>
+ * </ul>
+ * <p>The tests have an interface of laws that every shape must obey; a test of a new shape implements it.
+ *
+ * <h2>Constructors that the assignment describes in words</h2>
+ * <ul>
+ * <li>{@code Sphere(C, r, color)}, {@code Plane(P, n, color)}, {@code Triangle(A, B, C, color)}</li>
+ * <li>{@code Cylinder(P, u, r, l, color)} and {@code Capsule(P, u, r, l, color)}: P is the middle of the axis</li>
+ * <li>{@code Box(C, i, aux, w, h, d, color)} and {@code Ellipsoid(C, i, aux, Rx, Ry, Rz, color)}: k = i × aux
+ *     normalised, j = k × i</li>
+ * <li>{@code Torus(C, axis, R, r, color)}</li>
+ * </ul>
+ */
+package models;

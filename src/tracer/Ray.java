@@ -1,0 +1,235 @@
+package tracer;
+
+import static arguments.Arguments.direction;
+import static arguments.Arguments.finite;
+import static arguments.Arguments.wrong;
+
+import primitives.Point3D;
+import primitives.Vector3D;
+
+/**
+ * A ray: the points R + t v, t &gt; 0, of a starting point R and a direction v of unit length, so that the
+ * parameter t is the distance from R in scene units.
+ *
+ * <p>Immutable. Points and vectors are copied on their way in and out. What they hold are floats; for
+ * computations that cancel, the same numbers are to be had in double and without a copy, the direction brought
+ * to unit length once more in double ({@link #startX()}, {@link #directionX()} and so on).
+ */
+public final class Ray {
+
+  /** The absence of a ray: whatever it is sent to answers {@link Hit#NOHIT}. Its accessors answer null or NaN. */
+  public static final Ray NORAY = exactly(Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
+
+  private final double startX;
+  private final double startY;
+  private final double startZ;
+  private final float vx;
+  private final float vy;
+  private final float vz;
+  private final double directionX;
+  private final double directionY;
+  private final double directionZ;
+
+  /**
+   * The ray that starts at a point and follows a vector.
+   *
+   * @param R starting point
+   * @param v direction, of any length but 0
+   * @throws IllegalArgumentException if an argument is null or not finite, or if v is zero
+   */
+  public Ray(final Point3D R, final Vector3D v) {
+    this(finite("R", R), direction("v", v).x, v.y, v.z);
+  }
+
+  /**
+   * The ray that starts at a point and passes through another.
+   *
+   * @param R starting point
+   * @param Q another point of the ray
+   * @throws IllegalArgumentException if an argument is null or not finite, or if Q equals R
+   */
+  public Ray(final Point3D R, final Point3D Q) {
+    this(finite("R", R), (double) other(R, Q).x - R.x, (double) Q.y - R.y, (double) Q.z - R.z);
+  }
+
+  private Ray(final Point3D R, final double x, final double y, final double z) {
+    this(R.x, R.y, R.z, x, y, z, Math.sqrt(x * x + y * y + z * z));
+  }
+
+  /** Rounds the direction to floats, and brings what they are to unit length in double. */
+  private Ray(final double startX, final double startY, final double startZ,
+      final double x, final double y, final double z, final double length) {
+    this.startX = startX;
+    this.startY = startY;
+    this.startZ = startZ;
+    vx = (float) (x / length);
+    vy = (float) (y / length);
+    vz = (float) (z / length);
+    final double rounded = Math.sqrt((double) vx * vx + (double) vy * vy + (double) vz * vz);
+    directionX = vx / rounded;
+    directionY = vy / rounded;
+    directionZ = vz / rounded;
+  }
+
+  /** Keeps the direction as it is. */
+  private Ray(final double startX, final double startY, final double startZ,
+      final double directionX, final double directionY, final double directionZ) {
+    this.startX = startX;
+    this.startY = startY;
+    this.startZ = startZ;
+    vx = (float) directionX;
+    vy = (float) directionY;
+    vz = (float) directionZ;
+    this.directionX = directionX;
+    this.directionY = directionY;
+    this.directionZ = directionZ;
+  }
+
+  private static Point3D other(final Point3D R, final Point3D Q) {
+    if (finite("Q", Q).equals(R)) {
+      throw wrong("samePoint", "Q", "R", Q);
+    }
+    return Q;
+  }
+
+  /**
+   * The ray of a ray generator, from numbers in double: the start is rounded to floats, the direction to a unit
+   * vector of floats. Nothing is checked: numbers that are not finite give a ray that hits nothing.
+   *
+   * @param startX first coordinate of the starting point
+   * @param startY second coordinate of the starting point
+   * @param startZ third coordinate of the starting point
+   * @param x first component of the direction, of any length but 0
+   * @param y second component of the direction
+   * @param z third component of the direction
+   * @return the ray
+   */
+  public static Ray towards(final double startX, final double startY, final double startZ,
+      final double x, final double y, final double z) {
+    return new Ray((float) startX, (float) startY, (float) startZ, x, y, z, Math.sqrt(x * x + y * y + z * z));
+  }
+
+  /**
+   * The ray of a direction that is a unit vector of floats already: {@link #getDirection()} of another ray.
+   * Nothing is checked.
+   *
+   * @param startX first coordinate of the starting point
+   * @param startY second coordinate of the starting point
+   * @param startZ third coordinate of the starting point
+   * @param x first component of the direction
+   * @param y second component of the direction
+   * @param z third component of the direction
+   * @return the ray
+   */
+  public static Ray along(final double startX, final double startY, final double startZ,
+      final float x, final float y, final float z) {
+    return new Ray(startX, startY, startZ, x, y, z, 1);
+  }
+
+  /**
+   * The ray of numbers that keep all their digits: a ray in the frame of a transformed object. Only what its
+   * accessors answer is rounded. Nothing is checked.
+   *
+   * @param startX first coordinate of the starting point
+   * @param startY second coordinate of the starting point
+   * @param startZ third coordinate of the starting point
+   * @param x first component of the direction, of unit length in double
+   * @param y second component of the direction
+   * @param z third component of the direction
+   * @return the ray
+   */
+  public static Ray exactly(final double startX, final double startY, final double startZ,
+      final double x, final double y, final double z) {
+    return new Ray(startX, startY, startZ, x, y, z);
+  }
+
+  /**
+   * The point at a distance along the ray.
+   *
+   * @param t distance from the starting point in scene units; a negative one lies behind it
+   * @return a new point, R + t v; null for {@link #NORAY}
+   * @throws IllegalArgumentException if t is infinite or NaN
+   */
+  public Point3D pointAtParameter(final float t) {
+    finite("t", t);
+    return this == NORAY ? null : new Point3D((float) (startX + t * directionX), (float) (startY + t * directionY),
+        (float) (startZ + t * directionZ));
+  }
+
+  /**
+   * The starting point R.
+   *
+   * @return a new point; null for {@link #NORAY}
+   */
+  public Point3D getStartingPoint() {
+    return this == NORAY ? null : new Point3D((float) startX, (float) startY, (float) startZ);
+  }
+
+  /**
+   * The direction v.
+   *
+   * @return a new vector of unit length; null for {@link #NORAY}
+   */
+  public Vector3D getDirection() {
+    return this == NORAY ? null : new Vector3D(vx, vy, vz);
+  }
+
+  /**
+   * First coordinate of the starting point, in double.
+   *
+   * @return the number; NaN for {@link #NORAY}, as for the other five
+   */
+  public double startX() {
+    return startX;
+  }
+
+  /**
+   * Second coordinate of the starting point, in double.
+   *
+   * @return the number
+   */
+  public double startY() {
+    return startY;
+  }
+
+  /**
+   * Third coordinate of the starting point, in double.
+   *
+   * @return the number
+   */
+  public double startZ() {
+    return startZ;
+  }
+
+  /**
+   * First component of the direction, of unit length in double.
+   *
+   * @return the number
+   */
+  public double directionX() {
+    return directionX;
+  }
+
+  /**
+   * Second component of the direction, of unit length in double.
+   *
+   * @return the number
+   */
+  public double directionY() {
+    return directionY;
+  }
+
+  /**
+   * Third component of the direction, of unit length in double.
+   *
+   * @return the number
+   */
+  public double directionZ() {
+    return directionZ;
+  }
+
+  @Override
+  public String toString() {
+    return this == NORAY ? "Ray.NORAY" : "Ray(R=" + getStartingPoint() + ", v=" + getDirection() + ")";
+  }
+}

@@ -1,0 +1,79 @@
+package upnatray;
+
+import static arguments.Arguments.notNull;
+import static arguments.Arguments.positive;
+import static arguments.Arguments.wrong;
+
+import java.awt.Color;
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
+import java.util.Arrays;
+
+import models.Group3D;
+import view.Camera;
+
+/**
+ * An image in sRGB with transparency, that can be synthesised from a scene seen by a camera.
+ *
+ * <p>Row 0 of the assignment's pixels is the bottom one: pixel (m, n) of the rays is {@code getRGB(m, H - 1 - n)}.
+ */
+public class Image extends BufferedImage {
+
+  private final int background;
+
+  /**
+   * An image filled with its background.
+   *
+   * @param W width in pixels, at least 1
+   * @param H height in pixels, at least 1
+   * @param background colour of the pixels whose ray meets nothing
+   * @throws IllegalArgumentException if there is no pixel, if there are more than an array can hold, or if the background is
+   *     null
+   */
+  public Image(final int W, final int H, final Color background) {
+    super(positive("W", W), height(W, H), TYPE_INT_ARGB);
+    this.background = notNull("background", background).getRGB();
+    Arrays.fill(pixels(), this.background);
+  }
+
+  private static int height(final int W, final int H) {
+    if ((long) W * positive("H", H) > Integer.MAX_VALUE - 8) {
+      throw wrong("imageSize", W, H, Integer.MAX_VALUE - 8);
+    }
+    return H;
+  }
+
+  /**
+   * Computes all pixels: for each the ray of the camera's projection, its closest hit in the scene, and the colour of what is
+   * hit, or the background. All cores work on it; the pixels are the same, bit for bit, whatever their number.
+   *
+   * @param scene the scene, which must not change meanwhile
+   * @param camera the camera
+   * @throws IllegalArgumentException if an argument is null
+   * @throws IllegalStateException if the camera has no projection
+   */
+  public void synthesis(final Group3D scene, final Camera camera) {
+    synthesis(scene, camera, Rendering.STANDARD);
+  }
+
+  /**
+   * Computes the pixels as {@link #synthesis(Group3D, Camera)} does, in a way of one's own.
+   *
+   * @param scene the scene, which must not change meanwhile
+   * @param camera the camera
+   * @param rendering how to compute them
+   * @return false if it was stopped before all pixels were computed
+   * @throws IllegalArgumentException if an argument is null
+   * @throws IllegalStateException if the camera has no projection
+   */
+  public boolean synthesis(final Group3D scene, final Camera camera, final Rendering rendering) {
+    notNull("scene", scene);
+    notNull("rendering", rendering);
+    return new Synthesis(scene, notNull("camera", camera).getRayGenerator(getWidth(), getHeight()), rendering,
+        pixels(), background).run();
+  }
+
+  private int[] pixels() {
+    return ((DataBufferInt) getRaster().getDataBuffer()).getData();
+  }
+}

@@ -1,0 +1,126 @@
+package upnatray;
+
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
+
+import acceleration.RayTile;
+import models.Group3D;
+import models.TileHits;
+import tracer.RayGenerator;
+
+/**
+ * One synthesis of an image: its tiles of 16 × 16 pixels, shared out among threads that each take the next one. Every pixel
+ * depends on its own ray alone, so the threads need to agree on nothing but who computes which tile.
+ */
+final class Synthesis {
+
+  private final Group3D scene;
+  private final RayGenerator generator;
+  private final Rendering rendering;
+  private final int[] pixels;
+  private final int background;
+  private final int W;
+  private final int H;
+  private final int across;
+  private final int tiles;
+  private final AtomicInteger next = new AtomicInteger();
+  private final AtomicReference<Throwable> failure = new AtomicReference<>();
+  private volatile boolean stopped;
+
+  Synthesis(final Group3D scene, final RayGenerator generator, final Rendering rendering, final int[] pixels,
+      final int background) {
+    this.scene = scene;
+    this.generator = generator;
+    this.rendering = rendering;
+    this.pixels = pixels;
+    this.background = background;
+    this.W = generator.getWidth();
+    this.H = generator.getHeight();
+    this.across = (W + RayTile.SIZE - 1) / RayTile.SIZE;
+    this.tiles = Math.multiplyExact(across, (H + RayTile.SIZE - 1) / RayTile.SIZE);
+  }
+
+  /** Computes all pixels, by the calling thread and others; answers whether it came to the end. */
+  boolean run() {
+    final Thread[] helpers = new Thread[Math.min(rendering.threads(), tiles) - 1];
+    for (int i = 0; i < helpers.length; i++) {
+      helpers[i] = new Thread(this::work, "synthesis-" + (i + 1));
+      helpers[i].setDaemon(true);
+      helpers[i].start();
+    }
+    work();
+    boolean interrupted = false;
+    for (final Thread helper : helpers) {
+      interrupted |= await(helper);
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+    rethrow(failure.get());
+    return !stopped;
+  }
+
+  private void work() {
+    try {
+      final RayTile rays = new RayTile();
+      final TileHits hits = new TileHits(rays);
+      for (int tile = next.getAndIncrement(); tile < tiles && !stopped; tile = next.getAndIncrement()) {
+        compute(tile % across * RayTile.SIZE, tile / across * RayTile.SIZE, rays, hits);
+      }
+    } catch (Throwable e) {
+      failure.compareAndSet(null, e);
+      stopped = true;
+    }
+  }
+
+  /** Computes the tile whose lowest leftmost pixel is (m, n). */
+  private void compute(final int m, final int n, final RayTile rays, final TileHits hits) {
+    final int width = Math.min(RayTile.SIZE, W - m), height = Math.min(RayTile.SIZE, H - n);
+    rays.open(width, height);
+    generator.fill(rays, m, n);
+    rays.close();
+    hits.clear();
+    scene.closestHits(rays, hits);
+    for (int row = 0; row < height; row++) {
+      paint(hits, row * RayTile.SIZE, width, (H - 1 - n - row) * W + m);
+    }
+    if (!rendering.progress().tileDone(m, H - n - height, width, height)) {
+      stopped = true;
+    }
+  }
+
+  private void paint(final TileHits hits, final int first, final int width, final int at) {
+    final boolean plain = rendering.shading() == Shading.PLAIN;
+    for (int i = 0; i < width; i++) {
+      if (!hits.hits(first + i)) {
+        pixels[at + i] = background;
+      } else if (plain) {
+        pixels[at + i] = hits.argb(first + i);
+      } else {
+        pixels[at + i] = rendering.shading().argb(hits.ray(first + i), hits.hit(first + i));
+      }
+    }
+  }
+
+  private boolean await(final Thread helper) {
+    boolean interrupted = false;
+    while (true) {
+      try {
+        helper.join();
+        return interrupted;
+      } catch (InterruptedException e) {
+        interrupted = true;
+        stopped = true;
+      }
+    }
+  }
+
+  private static void rethrow(final Throwable failure) {
+    if (failure instanceof Error) {
+      throw (Error) failure;
+    }
+    if (failure != null) {
+      throw (RuntimeException) failure;
+    }
+  }
+}

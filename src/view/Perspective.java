@@ -1,0 +1,68 @@
+package view;
+
+import static arguments.Arguments.between;
+import static arguments.Arguments.positive;
+
+import acceleration.RayTile;
+import tracer.Ray;
+import tracer.RayGenerator;
+
+/**
+ * The perspective of a pinhole: all rays start where the camera stands. The window lies at distance 1 before it, with
+ * h = 2 tan(fov / 2) and w = a h.
+ */
+public class Perspective extends Projection {
+
+  /**
+   * A perspective.
+   *
+   * @param fov vertical opening of the field of view in degrees, 0 &lt; fov &lt; 180
+   * @param aspect width of the window by its height, &gt; 0
+   * @throws IllegalArgumentException if an argument is out of its range
+   */
+  public Perspective(final float fov, final float aspect) {
+    super(positive("aspect", aspect) * height(fov), height(fov));
+  }
+
+  private static double height(final float fov) {
+    return 2 * Math.tan(Math.toRadians(between("fov", 0, 180, fov)) / 2);
+  }
+
+  @Override
+  public RayGenerator getRayGenerator(final Camera camera, final int W, final int H) {
+    return new PerspectiveRayGenerator(holding(camera), W, H);
+  }
+
+  /** Rays from the camera through the points (x, y, −1) of its frame. */
+  static class PerspectiveRayGenerator extends RayGenerator {
+
+    private final Perspective projection;
+    private final Camera camera;
+
+    PerspectiveRayGenerator(final Camera camera, final int W, final int H) {
+      super(camera, W, H);
+      projection = (Perspective) camera.getProjection();
+      this.camera = camera;
+    }
+
+    @Override
+    public Ray getRay(final int m, final int n) {
+      checkPixel(m, n);
+      final double x = projection.windowX(m, getWidth()), y = projection.windowY(n, getHeight());
+      return Ray.towards(camera.eyeX(), camera.eyeY(), camera.eyeZ(), camera.vectorX(x, y, -1), camera.vectorY(x, y, -1), camera.vectorZ(x, y, -1));
+    }
+
+    @Override
+    public void fill(final RayTile tile, final int m, final int n) {
+      checkTile(tile, m, n);
+      for (int row = 0; row < tile.rows(); row++) {
+        final double y = projection.windowY(n + row, getHeight());
+        for (int column = 0; column < tile.columns(); column++) {
+          final double x = projection.windowX(m + column, getWidth());
+          tile.put(row * RayTile.SIZE + column, camera.eyeX(), camera.eyeY(), camera.eyeZ(),
+              camera.vectorX(x, y, -1), camera.vectorY(x, y, -1), camera.vectorZ(x, y, -1));
+        }
+      }
+    }
+  }
+}

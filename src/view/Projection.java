@@ -1,0 +1,84 @@
+package view;
+
+import static arguments.Arguments.notNull;
+import static arguments.Arguments.wrong;
+import static arguments.Arguments.wrongState;
+
+import tracer.RayGenerator;
+
+/**
+ * A projection of the scene onto a plane perpendicular to the camera's view, through a window centred on it. Seen from
+ * the camera, the window's x is to the right and its y up.
+ */
+public abstract class Projection {
+
+  private final double w;
+  private final double h;
+
+  /**
+   * A projection through a window.
+   *
+   * @param w width of the window in scene units, &gt; 0
+   * @param h height of the window in scene units, &gt; 0
+   * @throws IllegalArgumentException if a size is not positive, or none that a float can hold
+   */
+  protected Projection(final double w, final double h) {
+    this.w = size("w", w);
+    this.h = size("h", h);
+  }
+
+  private static double size(final String name, final double size) {
+    if (!((float) size > 0 && (float) size < Float.POSITIVE_INFINITY)) {
+      throw wrong("positive", name, size);
+    }
+    return size;
+  }
+
+  /**
+   * The rays of a camera, by this projection.
+   *
+   * @param camera the camera, which must hold this projection
+   * @param W width of the image in pixels, at least 1
+   * @param H height of the image in pixels, at least 1
+   * @return the generator of the rays
+   * @throws IllegalArgumentException if the camera is null or the image has no pixel
+   * @throws IllegalStateException if the camera holds another projection, or none
+   */
+  public abstract RayGenerator getRayGenerator(Camera camera, int W, int H);
+
+  /**
+   * Width of the window.
+   *
+   * @return width in scene units
+   */
+  public float getWidth() {
+    return (float) w;
+  }
+
+  /**
+   * Height of the window.
+   *
+   * @return height in scene units
+   */
+  public float getHeight() {
+    return (float) h;
+  }
+
+  /** x of the centres of the pixels of column m, of W. */
+  final double windowX(final int m, final int W) {
+    return (m + 0.5) * w / W - w / 2;
+  }
+
+  /** y of the centres of the pixels of row n, of H. */
+  final double windowY(final int n, final int H) {
+    return (n + 0.5) * h / H - h / 2;
+  }
+
+  /** Checks that a camera holds this projection, and answers it. */
+  final Camera holding(final Camera camera) {
+    if (notNull("camera", camera).getProjection() != this) {
+      throw wrongState("otherCamera");
+    }
+    return camera;
+  }
+}
