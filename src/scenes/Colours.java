@@ -1,0 +1,52 @@
+package scenes;
+
+import java.awt.Color;
+
+/**
+ * Colours of scene files: sRGB triples from 0 to 1 or from 0 to 255, with nothing to say which.
+ *
+ * <p>If a number exceeds 1, all three are of the range up to 255. A reader that decides number by number sees another
+ * colour where numbers on both sides of 1 meet: there a warning is given.
+ */
+final class Colours {
+
+  private static final Range BYTE = new Range(0, true, 255, true);
+
+  private final Values values;
+
+  Colours(final Values values) {
+    this.values = values;
+  }
+
+  /** The colour that must be there; null if it is not, or is none. */
+  Color required(final Element element, final String name) {
+    final Element value = values.required(element, name, Expected.COLOUR);
+    return value == null ? null : of(value);
+  }
+
+  /** The colour of a value; null if it is none. */
+  Color of(final Element value) {
+    final float[] triple = values.triple(value, BYTE);
+    if (triple == null) {
+      return null;
+    }
+    final boolean bytes = triple[0] > 1 || triple[1] > 1 || triple[2] > 1;
+    if (bytes && (isFraction(triple[0]) || isFraction(triple[1]) || isFraction(triple[2]))) {
+      values.problems().warning(value.valueOffset(), "mixedColour", value.name(), Messages.quote(value.text()));
+    }
+    return colour(triple, bytes ? 1 : 255);
+  }
+
+  private static boolean isFraction(final float component) {
+    return component > 0 && component <= 1;
+  }
+
+  /** The colour of three numbers that are multiplied by a factor to reach from 0 to 255; larger ones count as 255. */
+  static Color colour(final float[] triple, final double factor) {
+    return new Color(component(triple[0] * factor), component(triple[1] * factor), component(triple[2] * factor));
+  }
+
+  private static int component(final double value) {
+    return (int) Math.min(255, Math.floor(value + 0.5));
+  }
+}

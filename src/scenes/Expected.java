@@ -1,0 +1,33 @@
+package scenes;
+
+/**
+ * What a value should have been; put into words only when it is not, as most files are sound.
+ *
+ * @param key key of the message
+ * @param range the numbers allowed; null if it is no number
+ */
+record Expected(String key, Range range) {
+
+  static final Expected SECTION = new Expected("expectedSection", null);
+  static final Expected BOOL = new Expected("expectedBool", null);
+  static final Expected NAME = new Expected("expectedName", null);
+  static final Expected COLOUR = new Expected("expectedColour", null);
+
+  static Expected number(final Range range) {
+    return new Expected("expectedNumber", range);
+  }
+
+  static Expected integer(final int minimum) {
+    return new Expected("expectedInteger", new Range(minimum, true, Double.POSITIVE_INFINITY, false));
+  }
+
+  static Expected triple(final Range range) {
+    return new Expected("expectedTriple", range);
+  }
+
+  /** The words, for a value of a name. */
+  String text(final String name) {
+    final String number = "expectedTriple".equals(key) ? "x" : name;
+    return Messages.text(key, range == null ? name : range.about(number));
+  }
+}

@@ -1,0 +1,18 @@
+package scenes;
+
+/** The end of the reading of a file: it is no well-formed XML, and what follows cannot be told apart. */
+final class Malformed extends Exception {
+
+  private static final long serialVersionUID = 1L;
+
+  private final int offset;
+
+  Malformed(final int offset, final String key, final Object... parts) {
+    super(Messages.text(key, parts));
+    this.offset = offset;
+  }
+
+  int offset() {
+    return offset;
+  }
+}

@@ -1,0 +1,335 @@
+package scenes;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+
+/**
+ * Reads the markup of a scene file, the part of XML 1.0 that is left without document type definitions, into a
+ * tree that knows where each thing stands.
+ *
+ * <p>Why not the reader of the JDK: it tells only where things end, in messages of its own that are not to be had
+ * in Spanish, and starting it costs twice the time that the virtual machine itself needs. A DOCTYPE is refused, so
+ * that there are no entities but the five of XML, and nothing outside the file is ever read. Slips that leave the
+ * structure clear (an unknown entity, a repeated attribute) are told and passed over; others end the reading.
+ */
+final class MarkupReader {
+
+  /** A comment: its text, without the marks about it, and its place. */
+  record Comment(String text, int offset) {
+  }
+
+  /** More than this in one another, and the file is no scene; it keeps recursion over the tree shallow. */
+  static final int DEEPEST = 200;
+
+  private final String text;
+  private final Problems problems;
+  private final List<Comment> comments = new ArrayList<>();
+  private final Deque<Element> open = new ArrayDeque<>();
+  private Element root;
+  private int at;
+
+  MarkupReader(final Problems problems) {
+    this.text = problems.source().text();
+    this.problems = problems;
+  }
+
+  /** The comments of the file, in its order; complete once it has been read. */
+  List<Comment> comments() {
+    return comments;
+  }
+
+  /** Reads the whole file and answers its document element. */
+  Element read() throws Malformed {
+    checkCharacters();
+    while (at < text.length()) {
+      if (text.charAt(at) == '<') {
+        markup();
+      } else {
+        characters();
+      }
+    }
+    if (!open.isEmpty()) {
+      throw new Malformed(open.peek().offset(), "unclosed", open.peek().name());
+    }
+    if (root == null) {
+      throw new Malformed(0, "noElement", Messages.quote(text));
+    }
+    return root;
+  }
+
+  private void checkCharacters() throws Malformed {
+    for (int i = 0; i < text.length(); i++) {
+      final char c = text.charAt(i);
+      if (c < ' ' && c != '\t' && c != '\n' && c != '\r' || c >= '\ufffe') {
+        throw new Malformed(i, "character", Integer.toHexString(c));
+      }
+    }
+  }
+
+  private void markup() throws Malformed {
+    if (text.startsWith("<!--", at)) {
+      comment();
+    } else if (text.startsWith("<![CDATA[", at)) {
+      characterData();
+    } else if (text.startsWith("<!", at)) {
+      throw new Malformed(at, "doctype", Messages.quote(text.substring(at, Math.min(at + 9, text.length()))));
+    } else if (text.startsWith("<?", at)) {
+      instruction();
+    } else if (text.startsWith("</", at)) {
+      endTag();
+    } else {
+      startTag();
+    }
+  }
+
+  private void comment() throws Malformed {
+    final int start = at;
+    final String inside = upTo("-->", start + 4, "comment");
+    final int dashes = (inside + '-').indexOf("--");
+    if (dashes >= 0) {
+      problems.error(start + 4 + dashes, "dashes");
+    }
+    comments.add(new Comment(inside, start));
+  }
+
+  private void characterData() throws Malformed {
+    final int start = at;
+    final String inside = upTo("]]>", start + 9, "CDATA");
+    if (open.isEmpty()) {
+      problems.error(start, "outside", Messages.quote(inside));
+    } else {
+      open.peek().addText(inside, start + 9, true);
+    }
+  }
+
+  private void instruction() throws Malformed {
+    final int start = at;
+    final String inside = upTo("?>", start + 2, "<?");
+    final int length = nameLength(start + 2);
+    final String target = text.substring(start + 2, start + 2 + length);
+    if (length == 0 || length < inside.length() && !isBlank(inside.charAt(length))) {
+      throw new Malformed(start, "instruction", Messages.quote(inside));
+    }
+    if (target.equalsIgnoreCase("xml") && !(start == 0 && target.equals("xml"))) {
+      problems.error(start, "declaration");
+    }
+  }
+
+  /** What stands between a place and a mark, past which the reading goes on. */
+  private String upTo(final String mark, final int from, final String what) throws Malformed {
+    final int end = text.indexOf(mark, from);
+    if (end < 0) {
+      throw new Malformed(at, "endless", what, mark);
+    }
+    at = end + mark.length();
+    return text.substring(from, end);
+  }
+
+  private void characters() {
+    final int start = at;
+    while (at < text.length() && text.charAt(at) != '<' && text.charAt(at) != '&') {
+      at++;
+    }
+    if (at == start) {
+      final String replacement = reference();
+      if (open.isEmpty()) {
+        problems.error(start, "outside", Messages.quote(replacement));
+      } else {
+        open.peek().addText(replacement, start, false);
+      }
+      return;
+    }
+    final String run = text.substring(start, at);
+    final int cdataEnd = run.indexOf("]]>");
+    if (cdataEnd >= 0) {
+      problems.error(start + cdataEnd, "cdataEnd");
+    }
+    if (!open.isEmpty()) {
+      open.peek().addText(run, start, true);
+    } else if (!run.isBlank()) {
+      problems.error(start + run.indexOf(run.strip()), "outside", Messages.quote(run));
+    }
+  }
+
+  /** Reads a reference to an entity or to a character; one that means nothing is told and stands for itself. */
+  private String reference() {
+    final int start = at++;
+    final int semicolon = text.indexOf(';', start);
+    final String name = semicolon < 0 || semicolon - start > 12 ? "" : text.substring(start + 1, semicolon);
+    final String meaning = meaning(name);
+    if (meaning == null) {
+      problems.error(start, "entity", Messages.quote(text.substring(start, Math.min(start + 12, text.length()))));
+      return "&";
+    }
+    at = semicolon + 1;
+    return meaning;
+  }
+
+  private static String meaning(final String name) {
+    return switch (name) {
+      case "lt" -> "<";
+      case "gt" -> ">";
+      case "amp" -> "&";
+      case "quot" -> "\"";
+      case "apos" -> "'";
+      default -> name.startsWith("#") ? character(name.substring(1)) : null;
+    };
+  }
+
+  private static String character(final String number) {
+    final boolean hexadecimal = number.startsWith("x");
+    final String digits = hexadecimal ? number.substring(1) : number;
+    int code = digits.isEmpty() ? -1 : 0;
+    for (int i = 0; i < digits.length() && code >= 0; i++) {
+      final char c = digits.charAt(i);
+      final int digit = c < 128 ? Character.digit(c, hexadecimal ? 16 : 10) : -1;
+      code = digit < 0 || code > Character.MAX_CODE_POINT ? -1 : code * (hexadecimal ? 16 : 10) + digit;
+    }
+    final boolean allowed = code == '\t' || code == '\n' || code == '\r' || code >= ' ' && code < 0xd800
+        || code >= 0xe000 && code < 0xfffe || code > 0xffff && code <= Character.MAX_CODE_POINT;
+    return allowed ? Character.toString(code) : null;
+  }
+
+  private void startTag() throws Malformed {
+    final int start = at++;
+    final Element element = new Element(name(start), start, open.peek());
+    if (element.depth() > DEEPEST) {
+      throw new Malformed(start, "deep", DEEPEST);
+    }
+    attributes(element);
+    if (open.isEmpty() && root != null) {
+      throw new Malformed(start, "secondRoot", element.name(), root.name());
+    }
+    if (open.isEmpty()) {
+      root = element;
+    } else {
+      open.peek().children().add(element);
+    }
+    if (text.charAt(at) == '/') {
+      at++;
+      expect('>', start, element.name());
+      element.close(at);
+    } else {
+      at++;
+      open.push(element);
+    }
+  }
+
+  /** Reads attributes up to the {@code >} or {@code />} of the tag. */
+  private void attributes(final Element element) throws Malformed {
+    while (true) {
+      final int before = at;
+      skipBlanks();
+      if (at == text.length()) {
+        throw new Malformed(element.offset(), "endlessTag", element.name());
+      }
+      if (text.charAt(at) == '>' || text.charAt(at) == '/') {
+        return;
+      }
+      if (at == before || nameLength(at) == 0) {
+        throw new Malformed(at, "attributeExpected", element.name(), Messages.quote(text.substring(at, at + 1)));
+      }
+      attribute(element);
+    }
+  }
+
+  private void attribute(final Element element) throws Malformed {
+    final int start = at;
+    final String name = name(start);
+    skipBlanks();
+    expect('=', start, name);
+    skipBlanks();
+    final char quote = at < text.length() ? text.charAt(at) : 0;
+    if (quote != '"' && quote != '\'') {
+      throw new Malformed(start, "unquoted", name);
+    }
+    at++;
+    final String value = attributeValue(start, name, quote);
+    if (element.attribute(name) == null) {
+      element.attributes().add(new Element.Attribute(name, value, start));
+    } else {
+      problems.error(start, "repeatedAttribute", name);
+    }
+  }
+
+  private String attributeValue(final int start, final String name, final char quote) throws Malformed {
+    final StringBuilder value = new StringBuilder();
+    while (true) {
+      final char c = at < text.length() ? text.charAt(at) : '<';
+      if (c == '<') {
+        throw new Malformed(start, "endlessValue", name, quote);
+      }
+      if (c == quote) {
+        at++;
+        return value.toString();
+      }
+      if (c == '&') {
+        value.append(reference());
+      } else {
+        value.append(isBlank(c) ? ' ' : c);
+        at++;
+      }
+    }
+  }
+
+  private void endTag() throws Malformed {
+    final int start = at;
+    at += 2;
+    final String name = name(start);
+    skipBlanks();
+    expect('>', start, name);
+    if (open.isEmpty()) {
+      throw new Malformed(start, "closesNothing", name);
+    }
+    final Element element = open.pop();
+    if (!element.name().equals(name)) {
+      final int line = problems.source().line(element.offset());
+      throw new Malformed(start, "closesOther", name, element.name(), line);
+    }
+    element.close(at);
+  }
+
+  private void expect(final char expected, final int start, final String name) throws Malformed {
+    if (at == text.length() || text.charAt(at) != expected) {
+      throw new Malformed(start, "markExpected", name, expected);
+    }
+    at++;
+  }
+
+  private String name(final int start) throws Malformed {
+    final int length = nameLength(at);
+    if (length == 0) {
+      throw new Malformed(start, "strayMark", Messages.quote(text.substring(start, Math.min(start + 12, text.length()))));
+    }
+    at += length;
+    return text.substring(at - length, at);
+  }
+
+  private int nameLength(final int from) {
+    int i = from;
+    while (i < text.length() && (isNameStart(text.charAt(i)) || i > from && isNamePart(text.charAt(i)))) {
+      i++;
+    }
+    return i - from;
+  }
+
+  private static boolean isNameStart(final char c) {
+    return c == ':' || c == '_' || Character.isLetter(c);
+  }
+
+  private static boolean isNamePart(final char c) {
+    return c == '-' || c == '.' || c == '\u00b7' || Character.isLetterOrDigit(c);
+  }
+
+  private void skipBlanks() {
+    while (at < text.length() && isBlank(text.charAt(at))) {
+      at++;
+    }
+  }
+
+  private static boolean isBlank(final char c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+  }
+}

@@ -1,0 +1,17 @@
+package scenes;
+
+import java.awt.Color;
+
+import models.Object3D;
+
+/** A model of a scene file: a shape about the origin of its own frame, without place and colour. */
+interface Model {
+
+  /** The shape where a rigid placement takes it. */
+  Object3D at(Placement placement, Color color);
+
+  /** An object of the scene: built where it is to be if it keeps its form, transformed if it does not. */
+  default Object3D placed(final Placement placement, final Color color) {
+    return placement.isRigid() ? at(placement, color) : placement.applied(at(Placement.NONE, color));
+  }
+}

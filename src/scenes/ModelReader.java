@@ -1,0 +1,87 @@
+package scenes;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/** Reads the models of a scene file: their numbers, not their names. */
+final class ModelReader {
+
+  /** The types that this reader can build. */
+  static final List<String> SUPPORTED = List.of("sphere", "box", "plane", "cylinder", "capsule", "torus", "ellipsoid",
+      "mesh");
+
+  /** A model as an object finds it: with its type, and without a shape if it is at fault or not supported. */
+  record Entry(String type, Model model) {
+  }
+
+  private final Values values;
+  private final List<String> types;
+  private final MeshFiles meshes;
+  private final Map<String, Entry> models = new HashMap<>();
+
+  ModelReader(final Values values, final List<String> types, final MeshFiles meshes) {
+    this.values = values;
+    this.types = types;
+    this.meshes = meshes;
+  }
+
+  /** Reads a model and keeps it under its id, in place of an earlier one. */
+  void read(final Element model) {
+    final String id = values.attribute(model, "id");
+    final String type = values.attribute(model, "type", types);
+    final int before = values.problems().errors();
+    final Model shape = type == null ? null : shape(model, type);
+    final Entry entry = new Entry(type, values.problems().errors() == before ? shape : null);
+    if (id != null && models.put(id, entry) != null) {
+      values.problems().warning(model.attribute("id").offset(), "repeatedId", "model", Messages.quote(id));
+    }
+  }
+
+  /** The ids of all models. */
+  Set<String> ids() {
+    return models.keySet();
+  }
+
+  /** The model of an id; null if there is none. */
+  Entry get(final String id) {
+    return models.get(id);
+  }
+
+  /** The shape of a type; what it holds counts only if no problem was told meanwhile. Null if it is not supported. */
+  private Model shape(final Element model, final String type) {
+    return switch (type) {
+      case "sphere" -> new Shapes.Ball(length(model, "radius"));
+      case "box" -> new Shapes.Block(length(model, "width"), length(model, "height"), length(model, "depth"));
+      case "plane" -> new Shapes.Flat(values.triple(model, "point", Range.ANY), normal(model));
+      case "cylinder" -> new Shapes.Roll(length(model, "radius"), length(model, "Axislength"));
+      case "capsule" -> new Shapes.Pill(values.triple(model, "A", Range.ANY), values.triple(model, "B", Range.ANY),
+          length(model, "radius"));
+      case "torus" -> new Shapes.Ring(length(model, "rotationalRadius"), length(model, Values.AS_SPELT));
+      case "ellipsoid" -> new Shapes.Oval(length(model, "a"), length(model, "b"), length(model, "c"));
+      case "mesh" -> mesh(model);
+      default -> null;
+    };
+  }
+
+  private float length(final Element model, final String name) {
+    return values.number(model, name, Range.POSITIVE);
+  }
+
+  private float[] normal(final Element model) {
+    final float[] normal = values.triple(model, "normal", Range.ANY);
+    if (normal != null && normal[0] == 0 && normal[1] == 0 && normal[2] == 0) {
+      final Element value = model.find("normal");
+      values.problems().error(value.valueOffset(), "nullVector", "normal", Messages.quote(value.text()));
+    }
+    return normal;
+  }
+
+  private Model mesh(final Element model) {
+    values.bool(model, "flat", false);
+    values.bool(model, "promediatedNormals", false);
+    final String path = values.name(model, "objFile");
+    return path == null ? null : meshes.find(path, model.find("objFile").valueOffset());
+  }
+}

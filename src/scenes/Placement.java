@@ -1,0 +1,75 @@
+package scenes;
+
+import java.util.Arrays;
+
+import javax.vecmath.Matrix3d;
+import javax.vecmath.Vector3f;
+
+import models.AffineTransformation;
+import models.Object3D;
+import primitives.Point3D;
+import primitives.Vector3D;
+
+/**
+ * Where an object of a scene stands: its model is scaled, then turned, then moved.
+ *
+ * <p>Both turns of the scene language, that of aiming and that about an axis, are one rotation here, so that one
+ * transformation is enough.
+ */
+final class Placement {
+
+  private static final float[] ONE = {1, 1, 1};
+  private static final float[] ZERO = {0, 0, 0};
+
+  /** The model as it is. */
+  static final Placement NONE = new Placement(ONE, Turn.NONE, ZERO);
+
+  private final float[] scale;
+  private final Turn turn;
+  private final float[] shift;
+
+  Placement(final float[] scale, final Turn turn, final float[] shift) {
+    this.scale = scale;
+    this.turn = turn;
+    this.shift = shift;
+  }
+
+  /** The factors of an object that is not scaled. */
+  static float[] unscaled() {
+    return ONE.clone();
+  }
+
+  /** The shift of an object that is not moved. */
+  static float[] unmoved() {
+    return ZERO.clone();
+  }
+
+  /** Whether it keeps all lengths and mirrors nothing, so that a shape can be built where it is to be. */
+  boolean isRigid() {
+    return Arrays.equals(scale, ONE);
+  }
+
+  /** Where a rigid placement takes a point of the model. */
+  Point3D point(final double x, final double y, final double z) {
+    final Matrix3d m = turn.matrix();
+    return new Point3D((float) (m.m00 * x + m.m01 * y + m.m02 * z + shift[0]),
+        (float) (m.m10 * x + m.m11 * y + m.m12 * z + shift[1]), (float) (m.m20 * x + m.m21 * y + m.m22 * z + shift[2]));
+  }
+
+  /** Where a rigid placement takes a direction of the model. */
+  Vector3D direction(final double x, final double y, final double z) {
+    final Matrix3d m = turn.matrix();
+    return new Vector3D((float) (m.m00 * x + m.m01 * y + m.m02 * z), (float) (m.m10 * x + m.m11 * y + m.m12 * z),
+        (float) (m.m20 * x + m.m21 * y + m.m22 * z));
+  }
+
+  /** An object placed by a transformation; the object itself if it is to stay as it is. */
+  Object3D applied(final Object3D object) {
+    final Vector3f s = new Vector3f(scale);
+    final Vector3f d = new Vector3f(shift);
+    if (turn != Turn.NONE) {
+      return new AffineTransformation(s, turn.axis(), turn.degrees(), d, object);
+    }
+    return isRigid() && Arrays.equals(shift, ZERO) ? object : new AffineTransformation(s, d, object);
+  }
+}

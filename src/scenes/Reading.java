@@ -1,0 +1,13 @@
+package scenes;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What came of the reading of a scene file.
+ *
+ * @param scene the scene; empty if there is an error
+ * @param problems errors and warnings, in the order of the file; those of a mesh stand where the scene names it
+ */
+public record Reading(Optional<Scene> scene, List<Problem> problems) {
+}

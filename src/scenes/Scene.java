@@ -1,0 +1,21 @@
+package scenes;
+
+import java.awt.Color;
+
+import models.Group3D;
+import view.Camera;
+
+/**
+ * What a scene file describes.
+ *
+ * @param name its free title, perhaps empty
+ * @param width width of its image in pixels, at least 1
+ * @param height height of its image in pixels, at least 1
+ * @param background colour of pixels that show nothing
+ * @param facing whether surfaces are shaded by their angle to the ray; if not, they show their plain colour
+ * @param camera the camera, with its projection
+ * @param objects what there is to see
+ */
+public record Scene(String name, int width, int height, Color background, boolean facing, Camera camera,
+    Group3D objects) {
+}

@@ -1,0 +1,93 @@
+package scenes;
+
+import static arguments.Arguments.notNull;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Reads scene files. All that is wrong with a file and with its meshes is found in one run, values that describe nothing
+ * included, so that what is read can be rendered.
+ *
+ * <p>Where readers of the language differ, this one decides so: values are found at any depth below their section; of
+ * repeated values the first counts, of repeated ids the last; names and numbers may have blanks about them; aiming takes the
+ * model's axes along the vectors given; lights and materials have no effect yet, a scene with illumination shows the sum
+ * of the reflectances of its materials, shaded by the angle to the ray.
+ */
+public final class SceneReader {
+
+  /** A file larger than this, in bytes, is no scene file. */
+  static final long LARGEST = 64L << 20;
+
+  private final Path file;
+  private final Problems problems;
+
+  private SceneReader(final Path file, final SourceText source) {
+    this.file = file;
+    this.problems = new Problems(source);
+  }
+
+  /**
+   * Reads a scene file. Its meshes are looked for in its own directory, then in {@code scenes} under the working
+   * directory.
+   *
+   * @param file the file
+   * @return the scene, if it can be rendered, and all problems
+   * @throws IllegalArgumentException if the file is null
+   */
+  public static Reading read(final Path file) {
+    notNull("file", file);
+    try {
+      if (Files.size(file) > LARGEST && Files.isRegularFile(file)) {
+        return unreadable(file, "tooLarge", LARGEST >> 20);
+      }
+      final Decoding decoding = Decoding.of(Files.readAllBytes(file));
+      final SceneReader reader = new SceneReader(file, new SourceText(file.toString(), decoding.text()));
+      if (decoding.warning() != null) {
+        reader.problems.warning(0, decoding.warning(), Messages.quote(decoding.encoding()));
+      }
+      final Scene scene = reader.markup();
+      final boolean sound = !reader.problems.hasErrors();
+      return new Reading(sound ? Optional.of(scene) : Optional.empty(), reader.problems.inFileOrder());
+    } catch (final NoSuchFileException missing) {
+      return unreadable(file, "fileMissing");
+    } catch (final AccessDeniedException denied) {
+      return unreadable(file, "fileDenied");
+    } catch (final IOException failure) {
+      final String reason = failure.getClass().getSimpleName() + ": " + failure.getMessage();
+      return Files.isDirectory(file) ? unreadable(file, "fileIsFolder") : unreadable(file, "unreadable", reason);
+    }
+  }
+
+  private static Reading unreadable(final Path file, final String key, final Object... parts) {
+    final Problem.Severity severity = Problem.Severity.ERROR;
+    final Problem problem = new Problem(file.toString(), 0, 0, severity, Messages.text(key, parts));
+    return new Reading(Optional.empty(), List.of(problem));
+  }
+
+  /** Reads the markup, and of it the scene; null if it is so wrong that there is none. */
+  private Scene markup() {
+    final MarkupReader markup = new MarkupReader(problems);
+    try {
+      final Element root = markup.read();
+      final Element image = root.name().equals("image") ? root : root.find("image");
+      if (image == null) {
+        problems.error(root.offset(), "noImage", Messages.quote(root.name()),
+            NearMiss.question(root.name(), List.of("image")));
+        return null;
+      }
+      final Vocabulary vocabulary = new Vocabulary(problems);
+      vocabulary.check(root);
+      return new SceneContent(file, image, vocabulary, new Values(problems, markup.comments())).scene();
+    } catch (final Malformed malformed) {
+      problems.add(malformed.offset(), new Problem(file.toString(), problems.source().line(malformed.offset()),
+          problems.source().column(malformed.offset()), Problem.Severity.ERROR, malformed.getMessage()));
+      return null;
+    }
+  }
+}

@@ -1,0 +1,292 @@
+package scenes;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The values of the elements of a scene file. Each method looks for a value at any depth below an element, tells
+ * what is wrong with it, and answers it, or something that stands for none: NaN, {@link #NONE}, null.
+ */
+final class Values {
+
+  /** Stands for a whole number that is not there or at fault. */
+  static final int NONE = Integer.MIN_VALUE;
+
+  /** The name of an element that the language spells in its own way, and the spelling of the dictionary. */
+  static final String AS_SPELT = "circunferenceRadius";
+  static final String WELL_SPELT = "circumferenceRadius";
+
+  /** One of the numbers of a text, with its place in the file. */
+  private record Token(String text, int offset) {
+  }
+
+  private final Problems problems;
+  private final List<MarkupReader.Comment> comments;
+
+  Values(final Problems problems, final List<MarkupReader.Comment> comments) {
+    this.problems = problems;
+    this.comments = comments;
+  }
+
+  /** Where what is wrong is told. */
+  Problems problems() {
+    return problems;
+  }
+
+  boolean has(final Element element, final String name) {
+    return named(element, name) != null;
+  }
+
+  /** The first element of a name below another; null if there is none. Further ones are told. */
+  Element optional(final Element element, final String name) {
+    final Element first = named(element, name);
+    if (first != null) {
+      for (final Element other : element.findAll(first.name())) {
+        if (other != first) {
+          problems.warning(other.offset(), "repeated", name, element.name(), problems.source().line(first.offset()));
+        }
+      }
+    }
+    return first;
+  }
+
+  private static Element named(final Element element, final String name) {
+    final Element first = element.find(name);
+    return first == null && name.equals(AS_SPELT) ? element.find(WELL_SPELT) : first;
+  }
+
+  /** The first element of a name below another; if there is none, that is told with what was expected. */
+  Element required(final Element element, final String name, final Expected expected) {
+    final Element found = optional(element, name);
+    if (found == null) {
+      missing(element, name, expected);
+    }
+    return found;
+  }
+
+  private void missing(final Element element, final String name, final Expected expected) {
+    final int line = commentedOut(element, name);
+    problems.error(element.offset(), "missing", element.name(), name, expected.text(name),
+        line == 0 ? "" : " " + Messages.text("commentedOut", name, line));
+  }
+
+  /** Line of an element that stands in a comment within another; 0 if there is none. */
+  private int commentedOut(final Element element, final String name) {
+    for (final MarkupReader.Comment comment : comments) {
+      final boolean within = comment.offset() > element.offset() && comment.offset() < element.end();
+      final int at = within ? comment.text().indexOf('<' + name) : -1;
+      final int after = at + name.length() + 1;
+      if (at >= 0 && after < comment.text().length() && " \t\r\n/>".indexOf(comment.text().charAt(after)) >= 0) {
+        return problems.source().line(comment.offset() + 4 + at);
+      }
+    }
+    return 0;
+  }
+
+  /** A number that must be there; NaN if it is not, or is out of its range. */
+  float number(final Element element, final String name, final Range range) {
+    final Element found = required(element, name, Expected.number(range));
+    return found == null ? Float.NaN : number(found, range);
+  }
+
+  /** A number, or its default if it is not there; NaN if it is out of its range. */
+  float number(final Element element, final String name, final Range range, final float absent) {
+    final Element found = optional(element, name);
+    return found == null ? absent : number(found, range);
+  }
+
+  private float number(final Element value, final Range range) {
+    return number(new Token(value.text().strip(), value.valueOffset()), value.name(), range);
+  }
+
+  private float number(final Token token, final String name, final Range range) {
+    if (!isNumber(token.text)) {
+      problems.error(token.offset, "notNumber", name, Messages.quote(token.text), Expected.number(range).text(name));
+      return Float.NaN;
+    }
+    final float number = Float.parseFloat(token.text);
+    if (!Float.isFinite(number) || !range.contains(number)) {
+      problems.error(token.offset, "outOfRange", name, Messages.quote(token.text), Expected.number(range).text(name));
+      return Float.NaN;
+    }
+    return number;
+  }
+
+  /** Whether a text is a decimal number: a sign, digits, a point, an exponent, and nothing else of Java's floats. */
+  static boolean isNumber(final String text) {
+    int i = afterSign(text, 0);
+    final int whole = digits(text, i);
+    i += whole;
+    int fraction = 0;
+    if (i < text.length() && text.charAt(i) == '.') {
+      fraction = digits(text, ++i);
+      i += fraction;
+    }
+    if (whole + fraction == 0) {
+      return false;
+    }
+    if (i < text.length() && (text.charAt(i) == 'e' || text.charAt(i) == 'E')) {
+      i = afterSign(text, i + 1);
+      final int exponent = digits(text, i);
+      i = exponent == 0 ? -1 : i + exponent;
+    }
+    return i == text.length();
+  }
+
+  private static int afterSign(final String text, final int i) {
+    return i < text.length() && (text.charAt(i) == '+' || text.charAt(i) == '-') ? i + 1 : i;
+  }
+
+  private static int digits(final String text, final int from) {
+    int i = from;
+    while (i < text.length() && text.charAt(i) >= '0' && text.charAt(i) <= '9') {
+      i++;
+    }
+    return i - from;
+  }
+
+  /** A whole number that must be there; {@link #NONE} if it is not, or is less than its minimum. */
+  int integer(final Element element, final String name, final int minimum) {
+    final Element found = required(element, name, Expected.integer(minimum));
+    return found == null ? NONE : integer(found, minimum);
+  }
+
+  /** A whole number, or its default if it is not there; {@link #NONE} if it is less than its minimum. */
+  int integer(final Element element, final String name, final int minimum, final int absent) {
+    final Element found = optional(element, name);
+    return found == null ? absent : integer(found, minimum);
+  }
+
+  private int integer(final Element value, final int minimum) {
+    final String text = value.text().strip();
+    final int start = afterSign(text, 0);
+    final int digits = digits(text, start);
+    final boolean sound = digits > 0 && start + digits == text.length();
+    final double number = sound ? Double.parseDouble(text) : Double.NaN;
+    if (!(number >= minimum && number <= Integer.MAX_VALUE)) {
+      problems.error(value.valueOffset(), sound ? "outOfRange" : "notInteger", value.name(), Messages.quote(text),
+          Expected.integer(minimum).text(value.name()));
+      return NONE;
+    }
+    return (int) number;
+  }
+
+  /** A truth value that must be there; false if it is not. */
+  boolean bool(final Element element, final String name) {
+    final Element found = required(element, name, Expected.BOOL);
+    return found != null && bool(found);
+  }
+
+  /** A truth value, or its default if it is not there. */
+  boolean bool(final Element element, final String name, final boolean absent) {
+    final Element found = optional(element, name);
+    return found == null ? absent : bool(found);
+  }
+
+  private boolean bool(final Element value) {
+    final String text = value.text().strip();
+    if (!text.equalsIgnoreCase("true") && !text.equalsIgnoreCase("false")) {
+      problems.error(value.valueOffset(), "notBool", value.name(), Messages.quote(text), Expected.BOOL.text(value.name()));
+    }
+    return text.equalsIgnoreCase("true");
+  }
+
+  /** Three numbers that must be there; null if they are not, or if one is out of range. */
+  float[] triple(final Element element, final String name, final Range range) {
+    final Element found = required(element, name, Expected.triple(range));
+    return found == null ? null : triple(found, range);
+  }
+
+  /** Three numbers, or null if they are not there or one is out of range. */
+  float[] optionalTriple(final Element element, final String name, final Range range) {
+    final Element found = optional(element, name);
+    return found == null ? null : triple(found, range);
+  }
+
+  /** The three numbers of a value. */
+  float[] triple(final Element value, final Range range) {
+    final List<Token> tokens = tokens(value);
+    if (tokens.size() < 3) {
+      problems.error(value.valueOffset(), "tooFew", value.name(), tokens.size(), Messages.quote(value.text()),
+          Expected.triple(range).text(value.name()));
+      return null;
+    }
+    final float[] triple = new float[3];
+    boolean sound = true;
+    for (int i = 0; i < 3; i++) {
+      triple[i] = number(tokens.get(i), value.name(), range);
+      sound &= !Float.isNaN(triple[i]);
+    }
+    if (tokens.size() > 3) {
+      problems.warning(tokens.get(3).offset, "tooMany", value.name(), Messages.quote(tokens.get(3).text));
+    }
+    return sound ? triple : null;
+  }
+
+  private static List<Token> tokens(final Element value) {
+    final String text = value.text();
+    final List<Token> tokens = new ArrayList<>(4);
+    int i = 0;
+    while (i < text.length()) {
+      final int start = i;
+      while (i < text.length() && !Character.isWhitespace(text.charAt(i))) {
+        i++;
+      }
+      if (i > start) {
+        tokens.add(new Token(text.substring(start, i), value.textOffset(start)));
+      }
+      i++;
+    }
+    return tokens;
+  }
+
+  /** A name or a path that must be there; null if it is not, or is blank. */
+  String name(final Element element, final String name) {
+    final Element found = required(element, name, Expected.NAME);
+    return found == null ? null : name(found);
+  }
+
+  /** The text of a value, without the blanks about it; null, and told, if there is nothing else. */
+  String name(final Element value) {
+    final String text = value.text().strip();
+    if (text.isEmpty()) {
+      problems.error(value.offset(), "empty", value.name(), Expected.NAME.text(value.name()));
+      return null;
+    }
+    return text;
+  }
+
+  /** An attribute that must be there, without the blanks about it; null if it is not. */
+  String attribute(final Element element, final String name) {
+    final Element.Attribute attribute = element.attribute(name);
+    final String value = attribute == null ? "" : attribute.value().strip();
+    if (value.isEmpty()) {
+      problems.error(element.offset(), "missingAttribute", element.name(), name);
+      return null;
+    }
+    return value;
+  }
+
+  /** An attribute that must be one of some names; null if it is not. */
+  String attribute(final Element element, final String name, final List<String> known) {
+    final String value = attribute(element, name);
+    if (value == null || known.contains(value)) {
+      return value;
+    }
+    problems.error(element.attribute(name).offset(), "unknownType", element.name(), Messages.quote(value),
+        String.join(", ", known), NearMiss.question(value, known));
+    return null;
+  }
+
+  /** A value that must be one of some names, or its default if it is not there; null if it is another. */
+  String oneOf(final Element element, final String name, final List<String> known, final String absent) {
+    final Element found = optional(element, name);
+    final String value = found == null ? absent : name(found);
+    if (value == null || known.contains(value)) {
+      return value;
+    }
+    problems.error(found.valueOffset(), "unknownType", name, Messages.quote(value), String.join(", ", known),
+        NearMiss.question(value, known));
+    return null;
+  }
+}

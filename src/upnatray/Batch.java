@@ -1,0 +1,100 @@
+package upnatray;
+
+import java.io.PrintStream;
+import java.nio.file.Path;
+import java.util.List;
+
+import scenes.Problem;
+import scenes.Reading;
+import scenes.Scene;
+import scenes.SceneReader;
+
+/** The scenes of a command line, one after the other; what is wrong with one does not stop the others. */
+final class Batch {
+
+  private static final int AT_FAULT = 1;
+  private static final int INTERRUPTED = 130;
+
+  private final Options options;
+  private final PrintStream out;
+  private final PrintStream err;
+  private final Interruption interruption = new Interruption();
+
+  Batch(final Options options, final PrintStream out, final PrintStream err) {
+    this.options = options;
+    this.out = out;
+    this.err = err;
+  }
+
+  /** Renders or checks the scenes and answers the exit status. */
+  int run(final List<Path> scenes) throws UsageException {
+    int status = 0;
+    interruption.install();
+    for (final Path scene : scenes) {
+      if (!interruption.requested() && !isDone(scene)) {
+        status = AT_FAULT;
+      }
+    }
+    interruption.uninstall();
+    return interruption.requested() ? INTERRUPTED : status;
+  }
+
+  private boolean isDone(final Path file) throws UsageException {
+    final Path target = options.check() ? null : options.target(file);
+    try {
+      if (target != null) {
+        PngFile.check(target);
+      }
+      final Scene scene = read(file);
+      if (scene != null && target != null) {
+        render(file, scene, target);
+      }
+      return scene != null;
+    } catch (final FailedException failure) {
+      err.println(failure.getMessage());
+    } catch (final OutOfMemoryError full) {
+      err.println(Messages.text("memory", file, Runtime.getRuntime().maxMemory() >> 20));
+    }
+    return false;
+  }
+
+  /** Reads a scene and tells its problems; answers null if it cannot be rendered. */
+  private Scene read(final Path file) {
+    final Reading reading = SceneReader.read(file);
+    int errors = 0;
+    for (final Problem problem : reading.problems()) {
+      err.println(problem);
+      errors += problem.isError() ? 1 : 0;
+    }
+    if (options.check()) {
+      out.println(Messages.text("checked", file, errors, reading.problems().size() - errors));
+    }
+    return reading.scene().orElse(null);
+  }
+
+  private void render(final Path file, final Scene scene, final Path target) throws FailedException {
+    final int[] size = options.size(scene.width(), scene.height());
+    final Rendition rendition = new Rendition(image(file, scene, size[0], size[1]), file, target, interruption);
+    final Rendering plain = Rendering.STANDARD.withShading(scene.facing() ? Shading.FACING : Shading.PLAIN);
+    final Rendering rendering = options.threads() > 0 ? plain.withThreads(options.threads()) : plain;
+    if (rendition.render(scene, rendering) && !interruption.requested()) {
+      interruption.save(rendition.image(), target);
+      out.println(file + " -> " + target);
+    }
+  }
+
+  /** The image of a scene; told in bytes if it cannot be held. */
+  private static Image image(final Path file, final Scene scene, final int W, final int H) throws FailedException {
+    final long pixels = (long) W * H;
+    final long megabytes = (pixels * Integer.BYTES >> 20) + 1;
+    try {
+      return new Image(W, H, scene.background());
+    } catch (final IllegalArgumentException tooLarge) {
+      throw new FailedException("imageTooLarge", file, tooLarge.getMessage(), tooLarge);
+    } catch (final OutOfMemoryError full) {
+      final long megabytesNow = Runtime.getRuntime().maxMemory() >> 20;
+      final String reason = Messages.text("imageMemory", W, H, megabytes, megabytesNow, megabytes + megabytes / 4 + 256);
+      throw new FailedException("imageTooLarge", file, reason, full);
+    }
+  }
+}

@@ -1,0 +1,75 @@
+package upnatray;
+
+import java.net.URISyntaxException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+
+/**
+ * The command line: renders scene files to PNG files. {@code --help} tells the rest.
+ *
+ * <p>Exit status: 0, 1 if a scene or a file is at fault, 2 if the command line is, 130 if interrupted.
+ */
+public final class Main {
+
+  /** What is rendered if nothing is asked for. */
+  private static final Path DEFAULT_SCENE = Path.of("scenes", "shapes.xml");
+
+  private static final int WRONG_USAGE = 2;
+
+  private Main() {
+  }
+
+  /**
+   * Does what a command line asks for, and ends the virtual machine with a status if something is wrong.
+   *
+   * @param args the arguments
+   */
+  public static void main(final String[] args) {
+    final int status = run(args);
+    if (status != 0) {
+      System.exit(status);
+    }
+  }
+
+  /** Does what a command line asks for and answers the exit status. */
+  static int run(final String... args) {
+    try {
+      final Options options = Options.of(args);
+      if (options.help()) {
+        System.out.println(Messages.text("usage"));
+        return 0;
+      }
+      if (options.version()) {
+        System.out.println("UPNaTRay " + version());
+        return 0;
+      }
+      final List<Path> scenes = options.scenes().isEmpty() ? List.of(defaultScene()) : options.scenes();
+      return new Batch(options, System.out, System.err).run(scenes);
+    } catch (final UsageException wrong) {
+      System.err.println("UPNaTRay: " + wrong.getMessage());
+      return WRONG_USAGE;
+    }
+  }
+
+  private static String version() {
+    final String version = Main.class.getPackage().getImplementationVersion();
+    return version == null ? Messages.text("noVersion") : version;
+  }
+
+  /** The default scene under the working directory, or else under the folder in which the program was built. */
+  private static Path defaultScene() {
+    Path folder = Path.of("");
+    try {
+      if (!Files.exists(DEFAULT_SCENE)) {
+        folder = Path.of(Main.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+      }
+    } catch (final URISyntaxException noFolder) {
+      return DEFAULT_SCENE;
+    }
+    while (folder != null && !Files.exists(folder.resolve(DEFAULT_SCENE))) {
+      folder = folder.getParent();
+    }
+    return folder == null ? DEFAULT_SCENE : folder.resolve(DEFAULT_SCENE);
+  }
+}

@@ -1,0 +1,169 @@
+package upnatray;
+
+import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What a command line asks for. (A library for command lines was tried: it costs more time to load than a small picture
+ * takes to render.)
+ */
+final class Options {
+
+  private final List<Path> scenes = new ArrayList<>();
+  private String output;
+  private int width;
+  private int height;
+  private int threads;
+  private boolean check;
+  private boolean help;
+  private boolean version;
+
+  private Options() {
+  }
+
+  /**
+   * Reads the arguments of a command line. An option's value may follow it as the next argument or after {@code =}; after
+   * {@code --} there are only files.
+   *
+   * @throws UsageException if they are wrong
+   */
+  static Options of(final String... args) throws UsageException {
+    final Options options = new Options();
+    boolean onlyFiles = false;
+    int i = 0;
+    while (i < args.length) {
+      final String arg = args[i];
+      if (onlyFiles || !arg.startsWith("-") || arg.equals("-")) {
+        options.scenes.add(path(arg));
+        i++;
+      } else if (arg.equals("--")) {
+        onlyFiles = true;
+        i++;
+      } else {
+        i += options.read(arg, i + 1 < args.length ? args[i + 1] : null);
+      }
+    }
+    options.checkTogether();
+    return options;
+  }
+
+  /** Reads an option and answers how many arguments it took. */
+  private int read(final String arg, final String next) throws UsageException {
+    final int equals = arg.startsWith("--") ? arg.indexOf('=') : -1;
+    final String name = equals < 0 ? arg : arg.substring(0, equals);
+    if (readFlag(name)) {
+      if (equals >= 0) {
+        throw new UsageException("noValue", name);
+      }
+      return 1;
+    }
+    final String value = equals < 0 ? next : arg.substring(equals + 1);
+    switch (name) {
+      case "-o", "--output" -> output = value(name, value);
+      case "--width" -> width = count(name, value);
+      case "--height" -> height = count(name, value);
+      case "--threads" -> threads = count(name, value);
+      default -> throw new UsageException("unknownOption", arg);
+    }
+    return equals < 0 ? 2 : 1;
+  }
+
+  private boolean readFlag(final String name) {
+    switch (name) {
+      case "--check" -> check = true;
+      case "-h", "--help" -> help = true;
+      case "--version" -> version = true;
+      // Pictures are not shown yet: a command that says so goes on working when they are.
+      case "--no-window" -> { }
+      default -> {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static String value(final String name, final String value) throws UsageException {
+    if (value == null || value.isEmpty()) {
+      throw new UsageException("valueMissing", name);
+    }
+    return value;
+  }
+
+  private static int count(final String name, final String value) throws UsageException {
+    final String text = value(name, value);
+    try {
+      final int count = Integer.parseInt(text);
+      if (count >= 1) {
+        return count;
+      }
+    } catch (final NumberFormatException noNumber) {
+      throw new UsageException("notCount", name, text);
+    }
+    throw new UsageException("notCount", name, text);
+  }
+
+  private static Path path(final String text) throws UsageException {
+    try {
+      return Path.of(text);
+    } catch (final InvalidPathException noPath) {
+      throw new UsageException("noPath", text);
+    }
+  }
+
+  private void checkTogether() throws UsageException {
+    if (output != null && scenes.size() > 1 && Files.exists(path(output)) && !Files.isDirectory(path(output))) {
+      throw new UsageException("outputNoFolder", output);
+    }
+    if (check && scenes.isEmpty() && !help && !version) {
+      throw new UsageException("nothingToCheck");
+    }
+  }
+
+  /** The file to which the picture of a scene goes. */
+  Path target(final Path scene) throws UsageException {
+    final String file = scene.getFileName().toString();
+    final String name = (file.endsWith(".xml") ? file.substring(0, file.length() - 4) : file) + ".png";
+    if (output == null) {
+      return Path.of("images", name);
+    }
+    final boolean folder = scenes.size() > 1 || output.endsWith("/") || output.endsWith(File.separator)
+        || Files.isDirectory(path(output));
+    return folder ? path(output).resolve(name) : path(output);
+  }
+
+  List<Path> scenes() {
+    return scenes;
+  }
+
+  /** Width and height of the picture of a scene of a size: if one is asked for, the other keeps the proportion. */
+  int[] size(final int sceneWidth, final int sceneHeight) {
+    final int w = width > 0 ? width : height > 0 ? scaled(sceneWidth, height, sceneHeight) : sceneWidth;
+    final int h = height > 0 ? height : width > 0 ? scaled(sceneHeight, width, sceneWidth) : sceneHeight;
+    return new int[] {w, h};
+  }
+
+  private static int scaled(final int size, final int wanted, final int other) {
+    return (int) Math.max(1, Math.min(Integer.MAX_VALUE, Math.round((double) size * wanted / other)));
+  }
+
+  /** Number of threads; 0 if none is asked for. */
+  int threads() {
+    return threads;
+  }
+
+  boolean check() {
+    return check;
+  }
+
+  boolean help() {
+    return help;
+  }
+
+  boolean version() {
+    return version;
+  }
+}

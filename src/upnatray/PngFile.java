@@ -1,0 +1,98 @@
+package upnatray;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+
+/**
+ * Saves images as PNG files that appear whole or not at all: an image is written to a hidden temporary file beside its
+ * target, which is then moved into place in one step. Whatever happens before leaves the old file, or none.
+ */
+final class PngFile {
+
+  private PngFile() {
+  }
+
+  /**
+   * Saves an image; the folder is made if it is not there.
+   *
+   * @throws FailedException if it cannot be saved; its message says why
+   */
+  static void save(final BufferedImage image, final Path target) throws FailedException {
+    check(target);
+    final Path folder = folder(target);
+    final Path temporary = folder.resolve(".upnatray-" + Long.toString(System.nanoTime(), 36) + ".tmp");
+    try {
+      Files.createDirectories(folder);
+      write(image, temporary);
+      Files.move(temporary, target, StandardCopyOption.ATOMIC_MOVE);
+    } catch (final IOException failure) {
+      remove(temporary, failure);
+      throw new FailedException("notSaved", target, reason(failure), failure);
+    }
+  }
+
+  private static void write(final BufferedImage image, final Path temporary) throws IOException {
+    try (OutputStream out = Files.newOutputStream(temporary, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE)) {
+      PngWriter.write(image, out);
+    }
+  }
+
+  private static void remove(final Path temporary, final IOException failure) {
+    try {
+      Files.deleteIfExists(temporary);
+    } catch (final IOException left) {
+      failure.addSuppressed(left);
+    }
+  }
+
+  /**
+   * Tells beforehand what would keep an image from being saved, as far as can be seen.
+   *
+   * @throws FailedException if the target is a folder or the like, or if its folder is none or must not be written to
+   */
+  static void check(final Path target) throws FailedException {
+    if (Files.isDirectory(target)) {
+      throw new FailedException("notSaved", target, Messages.text("isFolder"), null);
+    }
+    if (Files.exists(target) && !Files.isRegularFile(target)) {
+      throw new FailedException("notSaved", target, Messages.text("isNoFile"), null);
+    }
+    final Path folder = folder(target);
+    if (Files.exists(folder) && !Files.isDirectory(folder)) {
+      throw new FailedException("notSaved", target, Messages.text("noFolder", folder), null);
+    }
+    if (Files.exists(folder) && !Files.isWritable(folder)) {
+      throw new FailedException("notSaved", target, Messages.text("denied", folder), null);
+    }
+  }
+
+  private static Path folder(final Path target) {
+    final Path parent = target.getParent();
+    return parent == null ? Path.of("") : parent;
+  }
+
+  private static String reason(final IOException failure) {
+    if (failure instanceof AccessDeniedException denied) {
+      return Messages.text("denied", denied.getFile());
+    }
+    if (failure instanceof FileAlreadyExistsException exists) {
+      return Messages.text("noFolder", exists.getFile());
+    }
+    if (failure instanceof NoSuchFileException missing) {
+      return Messages.text("missing", missing.getFile());
+    }
+    if (failure instanceof FileSystemException other && other.getReason() != null) {
+      return other.getReason();
+    }
+    return failure.getMessage() == null ? failure.getClass().getSimpleName() : failure.getMessage();
+  }
+}

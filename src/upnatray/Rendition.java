@@ -1,0 +1,73 @@
+package upnatray;
+
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.Arrays;
+
+import scenes.Scene;
+
+/** The rendering of one scene: knows which parts of its image are done, shows that on a terminal, and can be stopped. */
+final class Rendition implements Progress {
+
+  private final Image image;
+  private final Path target;
+  private final Interruption interruption;
+  private final ProgressLine line;
+  /** Column, row, width and height of each part that is done. */
+  private int[] done = new int[4096];
+  private int end;
+
+  Rendition(final Image image, final Path scene, final Path target, final Interruption interruption) {
+    this.image = image;
+    this.target = target;
+    this.interruption = interruption;
+    this.line = new ProgressLine(scene.toString(), (long) image.getWidth() * image.getHeight());
+  }
+
+  Image image() {
+    return image;
+  }
+
+  /** Where the picture is to go. */
+  Path target() {
+    return target;
+  }
+
+  /** Computes the image; answers false if that was interrupted. */
+  boolean render(final Scene scene, final Rendering rendering) {
+    interruption.rendering(this);
+    try {
+      return image.synthesis(scene.objects(), scene.camera(), rendering.withProgress(this));
+    } finally {
+      line.clear();
+      interruption.rendered();
+    }
+  }
+
+  @Override
+  public boolean tileDone(final int x, final int y, final int width, final int height) {
+    synchronized (this) {
+      if (end == done.length) {
+        done = Arrays.copyOf(done, end + end / 8 * 4);
+      }
+      done[end++] = x;
+      done[end++] = y;
+      done[end++] = width;
+      done[end++] = height;
+    }
+    line.add(width * height);
+    return !interruption.requested();
+  }
+
+  /** What there is of the image so far, all else transparent. */
+  synchronized BufferedImage partial() {
+    final BufferedImage partial = new BufferedImage(image.getWidth(), image.getHeight(), BufferedImage.TYPE_INT_ARGB);
+    int[] pixels = new int[0];
+    for (int i = 0; i < end; i += 4) {
+      pixels = pixels.length < done[i + 2] * done[i + 3] ? new int[done[i + 2] * done[i + 3]] : pixels;
+      image.getRaster().getDataElements(done[i], done[i + 1], done[i + 2], done[i + 3], pixels);
+      partial.getRaster().setDataElements(done[i], done[i + 1], done[i + 2], done[i + 3], pixels);
+    }
+    return partial;
+  }
+}
