@@ -1,0 +1,2 @@
+/** What tests with random numbers share. */
+package trials;
