@@ -18,7 +18,7 @@ public final class Bvh {
   private static final double FAR = 1 + 0x1p-49;
 
   /** The tree of nothing. */
-  static final Bvh EMPTY = new Bvh(new float[0], new int[0], -1, 0);
+  static final Bvh EMPTY = new Bvh(new float[6], new float[0], new int[0], -1, 0);
 
   /** Whoever owns the things of a tree. */
   public interface Leaves {
@@ -33,13 +33,15 @@ public final class Bvh {
     double visit(int first, int end);
   }
 
+  private final float[] whole;
   private final float[] boxes;
   private final int[] links;
   private final int root;
   private final int depth;
 
-  /** A tree of finished nodes; see the class comment for the arrays. */
-  Bvh(final float[] boxes, final int[] links, final int root, final int depth) {
+  /** A tree of finished nodes within a whole box; see the class comment for the arrays. */
+  Bvh(final float[] whole, final float[] boxes, final int[] links, final int root, final int depth) {
+    this.whole = whole;
     this.boxes = boxes;
     this.links = links;
     this.root = root;
@@ -79,7 +81,7 @@ public final class Bvh {
       return;
     }
     final double ix = 1 / dx, iy = 1 / dy, iz = 1 / dz;
-    final int nearX = dx < 0 ? 3 : 0, nearY = dy < 0 ? 4 : 1, nearZ = dz < 0 ? 5 : 2;
+    final int nearX = ix < 0 ? 3 : 0, nearY = iy < 0 ? 4 : 1, nearZ = iz < 0 ? 5 : 2;
     final int[] stack = new int[depth + 1];
     int top = 0, node = root;
     double farthest = Double.POSITIVE_INFINITY;
@@ -135,22 +137,26 @@ public final class Bvh {
     if (isEmpty()) {
       return;
     }
+    frustum.prepare(whole);
     final int[] stack = new int[depth + 1];
     int top = 0, node = root;
-    double farthest = Double.POSITIVE_INFINITY;
+    float farthest = Float.POSITIVE_INFINITY;
     while (true) {
       if (node < 0) {
-        farthest = visit(node, leaves);
+        farthest = Math.nextUp((float) visit(node, leaves));
       } else {
         final int a = node * 12, b = a + 6;
-        final double nearA = frustum.nearest(boxes, a, farthest), nearB = frustum.nearest(boxes, b, farthest);
-        final boolean meetsA = nearA < Double.POSITIVE_INFINITY, meetsB = nearB < Double.POSITIVE_INFINITY;
-        if (meetsA || meetsB) {
+        final float nearA = frustum.nearest(boxes, a), nearB = frustum.nearest(boxes, b);
+        final boolean meetsA = !(nearA > farthest) && !frustum.isOutside(boxes, a);
+        final boolean meetsB = !(nearB > farthest) && !frustum.isOutside(boxes, b);
+        if (meetsA && meetsB) {
           final int nearer = nearB < nearA ? 1 : 0;
-          if (meetsA && meetsB) {
-            stack[top++] = links[2 * node + 1 - nearer];
-          }
+          stack[top++] = links[2 * node + 1 - nearer];
           node = links[2 * node + nearer];
+          continue;
+        }
+        if (meetsA || meetsB) {
+          node = links[2 * node + (meetsA ? 0 : 1)];
           continue;
         }
       }

@@ -38,9 +38,13 @@ final class BvhBuilder {
     if (n == 0) {
       return Bvh.EMPTY;
     }
+    final Extent whole = new Extent();
+    for (int i = 0; i < n; i++) {
+      whole.add(boxes, 6 * i);
+    }
     final Task task = new Task(0, n, Extent.of(boxes, 0, n), 0);
     final Subtree tree = n < PARALLEL ? task.compute() : ForkJoinPool.commonPool().invoke(task);
-    return tree.toBvh(task.link);
+    return tree.toBvh(task.link, whole.numbers());
   }
 
   /** A part of the tree, built by one thread, or split over several if it is large. */

@@ -153,8 +153,9 @@ final class GridFit {
     double leastA = Double.POSITIVE_INFINITY, mostA = Double.NEGATIVE_INFINITY;
     double leastB = Double.POSITIVE_INFINITY, mostB = Double.NEGATIVE_INFINITY, narrowest = 1;
     for (int row = 0; row < tile.rows(); row++) {
-      for (int column = 0; column < tile.columns(); column++) {
-        final int i = row * RayTile.SIZE + column;
+      double column = -1;
+      for (int i = row * RayTile.SIZE; i < row * RayTile.SIZE + tile.columns(); i++) {
+        column++;
         if (tile.isPresent(i)) {
           final double depth = depthOf(i), k = pyramid ? 1 / depth : 1;
           final double x = pyramid ? tile.directionX(i) : tile.startX(i) - originX;

@@ -55,8 +55,8 @@ final class Subtree {
     }
   }
 
-  /** The finished tree. */
-  Bvh toBvh(final int root) {
-    return new Bvh(Arrays.copyOf(boxes, 12 * nodes), Arrays.copyOf(links, 2 * nodes), root, depth + 1);
+  /** The finished tree of things within a box. */
+  Bvh toBvh(final int root, final float[] whole) {
+    return new Bvh(whole, Arrays.copyOf(boxes, 12 * nodes), Arrays.copyOf(links, 2 * nodes), root, depth + 1);
   }
 }

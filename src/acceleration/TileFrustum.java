@@ -20,16 +20,12 @@ public final class TileFrustum {
   /** Added to the margin, in pixels, for the rounding of double. */
   private static final double ROUNDING = 1e-6;
 
-  /** Bound of the rounding error of n·V, relative to |n| |V|; far above the few roundings of 2^-53. */
-  private static final double PLANE_ROUNDING = 0x1p-48;
-
   private final GridFit grid = new GridFit();
 
-  /** Side planes n·V + c ≥ 0, four of them: nx, ny, nz, c. */
-  private final double[] planes = new double[16];
-
-  /** For each side plane and each coordinate, which of a box's six numbers lies farthest along n. */
-  private final int[] corners = new int[12];
+  private final SidePlane left = new SidePlane();
+  private final SidePlane right = new SidePlane();
+  private final SidePlane below = new SidePlane();
+  private final SidePlane above = new SidePlane();
 
   private boolean fitted;
   private double originX;
@@ -51,6 +47,13 @@ public final class TileFrustum {
   private double axisY;
   private double axisZ;
   private double axisAt;
+  private float floatX;
+  private float floatY;
+  private float floatZ;
+  private float floatAxisX;
+  private float floatAxisY;
+  private float floatAxisZ;
+  private float nearLoose;
   private int nearX;
   private int nearY;
   private int nearZ;
@@ -101,6 +104,9 @@ public final class TileFrustum {
     axisY = g.wy;
     axisZ = g.wz;
     axisAt = g.pyramid ? 0 : leastStart(tile);
+    floatAxisX = (float) axisX;
+    floatAxisY = (float) axisY;
+    floatAxisZ = (float) axisZ;
     nearX = axisX > 0 ? 0 : 3;
     nearY = axisY > 0 ? 1 : 4;
     nearZ = axisZ > 0 ? 2 : 5;
@@ -119,20 +125,10 @@ public final class TileFrustum {
 
   private void takePlanes() {
     final double firstC = columnMargin, lastC = columns - 1 + columnMargin, firstR = rowMargin, lastR = rows - 1 + rowMargin;
-    plane(0, columnX + firstC * depthX, columnY + firstC * depthY, columnZ + firstC * depthZ, columnAt + firstC * depthAt);
-    plane(1, lastC * depthX - columnX, lastC * depthY - columnY, lastC * depthZ - columnZ, lastC * depthAt - columnAt);
-    plane(2, rowX + firstR * depthX, rowY + firstR * depthY, rowZ + firstR * depthZ, rowAt + firstR * depthAt);
-    plane(3, lastR * depthX - rowX, lastR * depthY - rowY, lastR * depthZ - rowZ, lastR * depthAt - rowAt);
-  }
-
-  private void plane(final int k, final double x, final double y, final double z, final double at) {
-    planes[4 * k] = x;
-    planes[4 * k + 1] = y;
-    planes[4 * k + 2] = z;
-    planes[4 * k + 3] = at;
-    corners[3 * k] = x > 0 ? 3 : 0;
-    corners[3 * k + 1] = y > 0 ? 4 : 1;
-    corners[3 * k + 2] = z > 0 ? 5 : 2;
+    left.set(columnX + firstC * depthX, columnY + firstC * depthY, columnZ + firstC * depthZ, columnAt + firstC * depthAt);
+    right.set(lastC * depthX - columnX, lastC * depthY - columnY, lastC * depthZ - columnZ, lastC * depthAt - columnAt);
+    below.set(rowX + firstR * depthX, rowY + firstR * depthY, rowZ + firstR * depthZ, rowAt + firstR * depthAt);
+    above.set(lastR * depthX - rowX, lastR * depthY - rowY, lastR * depthZ - rowZ, lastR * depthAt - rowAt);
   }
 
   /**
@@ -144,28 +140,38 @@ public final class TileFrustum {
     return fitted;
   }
 
-  /**
-   * A distance before which no ray of the tile can be within a box.
-   *
-   * @param boxes boxes of six floats each
-   * @param at where the box begins
-   * @param farthest distance beyond which it does not matter
-   * @return the distance, at least 0; infinity if the box lies outside or farther away
-   */
-  double nearest(final float[] boxes, final int at, final double farthest) {
-    final double near = (boxes[at + nearX] - originX) * axisX + (boxes[at + nearY] - originY) * axisY
-        + (boxes[at + nearZ] - originZ) * axisZ + axisAt;
-    final double far = (boxes[at + 3 - nearX] - originX) * axisX + (boxes[at + 5 - nearY] - originY) * axisY
-        + (boxes[at + 7 - nearZ] - originZ) * axisZ - axisAt;
-    return near > farthest || far < 0 || isBeyond(boxes, at, 0) || isBeyond(boxes, at, 1) || isBeyond(boxes, at, 2)
-        || isBeyond(boxes, at, 3) ? Double.POSITIVE_INFINITY : near;
+  /** Prepares for boxes that lie within a box, whose six numbers bound what rounding to floats can do to theirs. */
+  void prepare(final float[] whole) {
+    floatX = (float) originX;
+    floatY = (float) originY;
+    floatZ = (float) originZ;
+    final double x = most(whole[0], whole[3], originX), y = most(whole[1], whole[4], originY);
+    final double z = most(whole[2], whole[5], originZ);
+    left.loosen(x, y, z);
+    right.loosen(x, y, z);
+    below.loosen(x, y, z);
+    above.loosen(x, y, z);
+    nearLoose = (float) (axisAt - SidePlane.ROUNDING * (x + y + z - axisAt));
   }
 
-  private boolean isBeyond(final float[] boxes, final int at, final int k) {
-    final double x = (boxes[at + corners[3 * k]] - originX) * planes[4 * k];
-    final double y = (boxes[at + corners[3 * k + 1]] - originY) * planes[4 * k + 1];
-    final double z = (boxes[at + corners[3 * k + 2]] - originZ) * planes[4 * k + 2];
-    return x + y + z + planes[4 * k + 3] < -PLANE_ROUNDING * (Math.abs(x) + Math.abs(y) + Math.abs(z));
+  /** Greatest distance of an interval's points from an origin, and twice what the origin's own rounding adds to it. */
+  private static double most(final float from, final float to, final double origin) {
+    return Math.max(Math.abs(from - origin), Math.abs(to - origin)) + 2 * Math.abs(origin - (float) origin) / SidePlane.ROUNDING;
+  }
+
+  /** A distance before which no ray of the tile can be within a box; the box is the one at a place of an array. */
+  float nearest(final float[] boxes, final int at) {
+    return (boxes[at + nearX] - floatX) * floatAxisX + (boxes[at + nearY] - floatY) * floatAxisY
+        + (boxes[at + nearZ] - floatZ) * floatAxisZ + nearLoose;
+  }
+
+  /** Whether no ray of the tile can be within a box. */
+  boolean isOutside(final float[] boxes, final int at) {
+    final float x = floatX, y = floatY, z = floatZ;
+    final float far = (boxes[at + 3 - nearX] - x) * floatAxisX + (boxes[at + 5 - nearY] - y) * floatAxisY
+        + (boxes[at + 7 - nearZ] - z) * floatAxisZ - nearLoose;
+    return far < 0 || left.isBefore(boxes, at, x, y, z) || right.isBefore(boxes, at, x, y, z)
+        || below.isBefore(boxes, at, x, y, z) || above.isBefore(boxes, at, x, y, z);
   }
 
   /**

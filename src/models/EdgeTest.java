@@ -30,11 +30,15 @@ final class EdgeTest {
   /** Greatest error that a sign computed from vertices of these coordinates can have. */
   static double error(final double ax, final double ay, final double az, final double bx, final double by, final double bz,
       final double cx, final double cy, final double cz) {
-    final double a = Math.max(Math.max(Math.abs(ax), Math.abs(ay)), Math.abs(az));
-    final double b = Math.max(Math.max(Math.abs(bx), Math.abs(by)), Math.abs(bz));
-    final double c = Math.max(Math.max(Math.abs(cx), Math.abs(cy)), Math.abs(cz));
-    final double m = Math.max(Math.max(a, b), c);
+    final double a = most(Math.abs(ax), Math.abs(ay), Math.abs(az));
+    final double b = most(Math.abs(bx), Math.abs(by), Math.abs(bz));
+    final double m = most(a, b, most(Math.abs(cx), Math.abs(cy), Math.abs(cz)));
     return ERROR * m * m;
+  }
+
+  private static double most(final double a, final double b, final double c) {
+    final double ab = a > b ? a : b;
+    return ab > c ? ab : c;
   }
 
   /** Whether three numbers have no two different signs, whatever errors of the given size they have. */

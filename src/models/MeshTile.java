@@ -70,22 +70,30 @@ final class MeshTile implements Bvh.Leaves {
     return hits.farthest();
   }
 
-  /** Rays with one start: the edges' products and the plane are the same for all. */
+  /**
+   * Rays with one start: the edges' products and the plane are the same for all, and so is the side from which they see the
+   * triangle. If that is beyond doubt, all three signs of a hit are known: those of the plane's distance.
+   */
   private void test(final int place, final double ax, final double ay, final double az,
       final double bx, final double by, final double bz, final double cx, final double cy, final double cz) {
-    final double ex = by * cz - bz * cy, ey = bz * cx - bx * cz, ez = bx * cy - by * cx;
-    final double fx = cy * az - cz * ay, fy = cz * ax - cx * az, fz = cx * ay - cy * ax;
-    final double gx = ay * bz - az * by, gy = az * bx - ax * bz, gz = ax * by - ay * bx;
+    final double px = bx - ax, py = by - ay, pz = bz - az, qx = cx - ax, qy = cy - ay, qz = cz - az;
+    final double nx = py * qz - pz * qy, ny = pz * qx - px * qz, nz = px * qy - py * qx;
+    final double plane = ax * nx + ay * ny + az * nz;
     final double error = EdgeTest.error(ax, ay, az, bx, by, bz, cx, cy, cz);
+    final double s = plane > 0 ? 1 : -1;
+    final double ex = s * (by * cz - bz * cy), ey = s * (bz * cx - bx * cz), ez = s * (bx * cy - by * cx);
+    final double fx = s * (cy * az - cz * ay), fy = s * (cz * ax - cx * az), fz = s * (cx * ay - cy * ax);
+    final double gx = s * (ay * bz - az * by), gy = s * (az * bx - ax * bz), gz = s * (ax * by - ay * bx);
     final int firstColumn = frustum.firstColumn(), lastColumn = frustum.lastColumn(), lastRow = frustum.lastRow();
     for (int row = frustum.firstRow(); row <= lastRow; row++) {
       final int last = row * RayTile.SIZE + lastColumn;
       for (int i = row * RayTile.SIZE + firstColumn; i <= last; i++) {
         final double dx = rays.directionX(i), dy = rays.directionY(i), dz = rays.directionZ(i);
         final double e = dx * ex + dy * ey + dz * ez, f = dx * fx + dy * fy + dz * fz, g = dx * gx + dy * gy + dz * gz;
-        if (EdgeTest.isInside(e, f, g, error) || !EdgeTest.isOutside(e, f, g, error)
-            && EdgeTest.isInsideExactly(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz)) {
-          offer(i, place, EdgeTest.planeDistance(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz));
+        final double ef = e < f ? e : f, least = ef < g ? ef : g;
+        if (least >= -error && (least > error
+            || EdgeTest.isInsideExactly(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz))) {
+          offer(i, place, plane / (dx * nx + dy * ny + dz * nz));
         }
       }
     }

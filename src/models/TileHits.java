@@ -18,13 +18,19 @@ public final class TileHits {
 
   private final RayTile rays;
   private final double[] t = new double[RayTile.SIZE * RayTile.SIZE];
+  /** The distances as floats, by which they are compared. */
+  private final float[] compared = new float[RayTile.SIZE * RayTile.SIZE];
   private final int[] order = new int[RayTile.SIZE * RayTile.SIZE];
   private final int[] part = new int[RayTile.SIZE * RayTile.SIZE];
   private final Object3D[] owner = new Object3D[RayTile.SIZE * RayTile.SIZE];
   private final Object3D[] painted = new Object3D[RayTile.SIZE * RayTile.SIZE];
   private final Hit[] hit = new Hit[RayTile.SIZE * RayTile.SIZE];
-  private final double[] farthestOfRow = new double[RayTile.SIZE];
+
+  /** For each row a pixel whose hit is the farthest of the row; rows where that may have changed are marked. */
+  private final int[] farthestOfRow = new int[RayTile.SIZE];
   private int changedRows;
+  private double farthest;
+
   private int currentOrder;
   private TileHits nested;
 
@@ -40,10 +46,10 @@ public final class TileHits {
   /** Forgets all hits, for the rays that the tile holds now. A pixel without a ray gets distance 0: nothing is closer. */
   public void clear() {
     Arrays.fill(owner, null);
-    Arrays.fill(t, 0);
+    Arrays.fill(compared, 0);
     for (int row = 0; row < rays.rows(); row++) {
       for (int i = row * RayTile.SIZE; i < row * RayTile.SIZE + rays.columns(); i++) {
-        t[i] = rays.isPresent(i) ? Double.POSITIVE_INFINITY : 0;
+        compared[i] = rays.isPresent(i) ? Float.POSITIVE_INFINITY : 0;
         order[i] = -1;
       }
     }
@@ -85,7 +91,7 @@ public final class TileHits {
 
   /** Whether a hit would replace the one that ray i has. */
   boolean isCloser(final int i, final double distance, final int itsPart) {
-    final float f = (float) distance, best = (float) t[i];
+    final float f = (float) distance, best = compared[i];
     return f > 0 && (f < best
         || f == best && (currentOrder < order[i] || currentOrder == order[i] && itsPart < part[i]));
   }
@@ -93,38 +99,46 @@ public final class TileHits {
   /** Takes a hit that {@link #isCloser} approved: who answers for it, and what is to be painted. */
   void take(final int i, final double distance, final Object3D itsOwner, final Object3D itsPainted, final int itsPart) {
     t[i] = distance;
+    compared[i] = (float) distance;
     order[i] = currentOrder;
-    owner[i] = itsOwner;
-    painted[i] = itsPainted;
     part[i] = itsPart;
-    hit[i] = null;
-    changedRows |= 1 << i / RayTile.SIZE;
+    if (owner[i] != itsOwner || painted[i] != itsPainted || hit[i] != null) {
+      owner[i] = itsOwner;
+      painted[i] = itsPainted;
+      hit[i] = null;
+    }
+    if (farthestOfRow[i / RayTile.SIZE] == i) {
+      changedRows |= 1 << i / RayTile.SIZE;
+    }
   }
 
   /** Distance beyond which no hit can be closer for any ray of the tile. */
   double farthest() {
-    double farthest = 0;
-    for (int row = 0; row < rays.rows(); row++) {
-      farthest = Math.max(farthest, farthestOf(row));
+    if (changedRows != 0) {
+      float most = 0;
+      for (int row = 0; row < rays.rows(); row++) {
+        if ((changedRows >> row & 1) != 0) {
+          farthestOfRow[row] = farthestOf(row);
+        }
+        most = Math.max(most, compared[farthestOfRow[row]]);
+      }
+      changedRows = 0;
+      farthest = most * ClosestHit.SAME;
     }
     return farthest;
   }
 
   /** Distance beyond which no hit can be closer for ray i. */
   double farthest(final int i) {
-    return t[i] * ClosestHit.SAME;
+    return compared[i] * ClosestHit.SAME;
   }
 
-  private double farthestOf(final int row) {
-    if ((changedRows >> row & 1) != 0) {
-      changedRows &= ~(1 << row);
-      double farthest = 0;
-      for (int i = row * RayTile.SIZE; i < row * RayTile.SIZE + rays.columns(); i++) {
-        farthest = t[i] > farthest ? t[i] : farthest;
-      }
-      farthestOfRow[row] = farthest * ClosestHit.SAME;
+  private int farthestOf(final int row) {
+    int most = row * RayTile.SIZE;
+    for (int i = most + 1; i < row * RayTile.SIZE + rays.columns(); i++) {
+      most = compared[i] > compared[most] ? i : most;
     }
-    return farthestOfRow[row];
+    return most;
   }
 
   /**

@@ -4,6 +4,7 @@ import static arguments.Arguments.direction;
 import static arguments.Arguments.finite;
 import static arguments.Arguments.wrong;
 
+import acceleration.RayTile;
 import primitives.Point3D;
 import primitives.Vector3D;
 
@@ -53,22 +54,23 @@ public final class Ray {
   }
 
   private Ray(final Point3D R, final double x, final double y, final double z) {
-    this(R.x, R.y, R.z, x, y, z, Math.sqrt(x * x + y * y + z * z));
+    this(R.x, R.y, R.z, x, y, z, 1 / Math.sqrt(x * x + y * y + z * z));
   }
 
-  /** Rounds the direction to floats, and brings what they are to unit length in double. */
+  /** Rounds the scaled direction to floats, and brings what they are to unit length in double. */
   private Ray(final double startX, final double startY, final double startZ,
-      final double x, final double y, final double z, final double length) {
+      final double x, final double y, final double z, final double scale) {
     this.startX = startX;
     this.startY = startY;
     this.startZ = startZ;
-    vx = (float) (x / length);
-    vy = (float) (y / length);
-    vz = (float) (z / length);
-    final double rounded = Math.sqrt((double) vx * vx + (double) vy * vy + (double) vz * vz);
-    directionX = vx / rounded;
-    directionY = vy / rounded;
-    directionZ = vz / rounded;
+    final double ux = RayTile.rounded(scale * x), uy = RayTile.rounded(scale * y), uz = RayTile.rounded(scale * z);
+    final double k = RayTile.toUnit(ux * ux + uy * uy + uz * uz);
+    vx = (float) ux;
+    vy = (float) uy;
+    vz = (float) uz;
+    directionX = k * ux;
+    directionY = k * uy;
+    directionZ = k * uz;
   }
 
   /** Keeps the direction as it is. */
@@ -106,7 +108,7 @@ public final class Ray {
    */
   public static Ray towards(final double startX, final double startY, final double startZ,
       final double x, final double y, final double z) {
-    return new Ray((float) startX, (float) startY, (float) startZ, x, y, z, Math.sqrt(x * x + y * y + z * z));
+    return new Ray(RayTile.rounded(startX), RayTile.rounded(startY), RayTile.rounded(startZ), x, y, z, 1 / Math.sqrt(x * x + y * y + z * z));
   }
 
   /**

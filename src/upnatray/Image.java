@@ -8,6 +8,7 @@ import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.util.Arrays;
+import java.util.concurrent.ThreadFactory;
 
 import models.Group3D;
 import view.Camera;
@@ -67,10 +68,15 @@ public class Image extends BufferedImage {
    * @throws IllegalStateException if the camera has no projection
    */
   public boolean synthesis(final Group3D scene, final Camera camera, final Rendering rendering) {
+    return synthesis(scene, camera, rendering, Thread::new);
+  }
+
+  /** The same by threads of somebody's making, who may want to know what time they take. */
+  boolean synthesis(final Group3D scene, final Camera camera, final Rendering rendering, final ThreadFactory threads) {
     notNull("scene", scene);
     notNull("rendering", rendering);
     return new Synthesis(scene, notNull("camera", camera).getRayGenerator(getWidth(), getHeight()), rendering,
-        pixels(), background).run();
+        pixels(), background).run(threads);
   }
 
   private int[] pixels() {

@@ -1,5 +1,6 @@
 package upnatray;
 
+import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 
@@ -41,10 +42,10 @@ final class Synthesis {
   }
 
   /** Computes all pixels, by the calling thread and others; answers whether it came to the end. */
-  boolean run() {
+  boolean run(final ThreadFactory factory) {
     final Thread[] helpers = new Thread[Math.min(rendering.threads(), tiles) - 1];
     for (int i = 0; i < helpers.length; i++) {
-      helpers[i] = new Thread(this::work, "synthesis-" + (i + 1));
+      helpers[i] = factory.newThread(this::work);
       helpers[i].setDaemon(true);
       helpers[i].start();
     }

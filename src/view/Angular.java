@@ -14,7 +14,6 @@ import tracer.RayGenerator;
 public class Angular extends Projection {
 
   private final double rim2;
-  private final double radius2;
 
   /**
    * A fish-eye.
@@ -25,7 +24,6 @@ public class Angular extends Projection {
   public Angular(final float omega) {
     super(2 * rim(omega), 2 * rim(omega));
     rim2 = rim(omega) * rim(omega);
-    radius2 = 1 + rim2;
   }
 
   private static double rim(final float omega) {
@@ -40,40 +38,47 @@ public class Angular extends Projection {
   /** Rays from the camera through the points of the cap above (x, y), whose sphere has radius 1 / cos(ω/2). */
   static class AngularRayGenerator extends RayGenerator {
 
-    private final Angular projection;
     private final Camera camera;
+    private final double[] x;
+    private final double[] y;
+    private final double rim2;
 
     AngularRayGenerator(final Camera camera, final int W, final int H) {
       super(camera, W, H);
-      projection = (Angular) camera.getProjection();
+      final Angular projection = (Angular) camera.getProjection();
       this.camera = camera;
+      this.x = projection.columnCentres(W);
+      this.y = projection.rowCentres(H);
+      this.rim2 = projection.rim2;
     }
 
     @Override
     public Ray getRay(final int m, final int n) {
       checkPixel(m, n);
-      final double x = projection.windowX(m, getWidth()), y = projection.windowY(n, getHeight());
-      if (x * x + y * y > projection.rim2) {
-        return Ray.NORAY;
-      }
-      final double z = -Math.sqrt(projection.radius2 - (x * x + y * y));
-      return Ray.towards(camera.eyeX(), camera.eyeY(), camera.eyeZ(), camera.vectorX(x, y, z), camera.vectorY(x, y, z), camera.vectorZ(x, y, z));
+      final double a = x[m], b = y[n], z = z(a, b);
+      return z < 0 ? Ray.towards(camera.eyeX(), camera.eyeY(), camera.eyeZ(),
+          camera.vectorX(a, b, z), camera.vectorY(a, b, z), camera.vectorZ(a, b, z)) : Ray.NORAY;
     }
 
     @Override
     public void fill(final RayTile tile, final int m, final int n) {
       checkTile(tile, m, n);
+      final double eyeX = camera.eyeX(), eyeY = camera.eyeY(), eyeZ = camera.eyeZ();
       for (int row = 0; row < tile.rows(); row++) {
-        final double y = projection.windowY(n + row, getHeight());
         for (int column = 0; column < tile.columns(); column++) {
-          final double x = projection.windowX(m + column, getWidth());
-          if (x * x + y * y <= projection.rim2) {
-            final double z = -Math.sqrt(projection.radius2 - (x * x + y * y));
-            tile.put(row * RayTile.SIZE + column, camera.eyeX(), camera.eyeY(), camera.eyeZ(),
-                camera.vectorX(x, y, z), camera.vectorY(x, y, z), camera.vectorZ(x, y, z));
+          final double a = x[m + column], b = y[n + row], z = z(a, b);
+          if (z < 0) {
+            tile.put(row * RayTile.SIZE + column, eyeX, eyeY, eyeZ,
+                camera.vectorX(a, b, z), camera.vectorY(a, b, z), camera.vectorZ(a, b, z));
           }
         }
       }
+    }
+
+    /** z of the cap above a point of the window; 0 outside the circle. */
+    private double z(final double a, final double b) {
+      final double rho2 = a * a + b * b;
+      return rho2 <= rim2 ? -Math.sqrt(1 + rim2 - rho2) : 0;
     }
   }
 }

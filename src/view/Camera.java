@@ -143,27 +143,27 @@ public class Camera {
 
   /** First component in the scene of a vector of the camera's frame; the other two below. */
   double vectorX(final double x, final double y, final double z) {
-    return toScene.m00 * x + toScene.m01 * y + toScene.m02 * z;
+    return toScene.m00 * x + (toScene.m01 * y + toScene.m02 * z);
   }
 
   double vectorY(final double x, final double y, final double z) {
-    return toScene.m10 * x + toScene.m11 * y + toScene.m12 * z;
+    return toScene.m10 * x + (toScene.m11 * y + toScene.m12 * z);
   }
 
   double vectorZ(final double x, final double y, final double z) {
-    return toScene.m20 * x + toScene.m21 * y + toScene.m22 * z;
+    return toScene.m20 * x + (toScene.m21 * y + toScene.m22 * z);
   }
 
   /** First coordinate in the scene of the point (x, y, 0) of the camera's frame; the other two below. */
   double pointX(final double x, final double y) {
-    return toScene.m00 * x + toScene.m01 * y + toScene.m03;
+    return toScene.m00 * x + (toScene.m01 * y + toScene.m03);
   }
 
   double pointY(final double x, final double y) {
-    return toScene.m10 * x + toScene.m11 * y + toScene.m13;
+    return toScene.m10 * x + (toScene.m11 * y + toScene.m13);
   }
 
   double pointZ(final double x, final double y) {
-    return toScene.m20 * x + toScene.m21 * y + toScene.m23;
+    return toScene.m20 * x + (toScene.m21 * y + toScene.m23);
   }
 }

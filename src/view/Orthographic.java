@@ -31,31 +31,34 @@ public class Orthographic extends Projection {
   /** Rays along the view from the points (x, y, 0) of the camera's frame. */
   static class OrthographicRayGenerator extends RayGenerator {
 
-    private final Orthographic projection;
     private final Camera camera;
+    private final double[] x;
+    private final double[] y;
 
     OrthographicRayGenerator(final Camera camera, final int W, final int H) {
       super(camera, W, H);
-      projection = (Orthographic) camera.getProjection();
+      final Projection projection = camera.getProjection();
       this.camera = camera;
+      this.x = projection.columnCentres(W);
+      this.y = projection.rowCentres(H);
     }
 
     @Override
     public Ray getRay(final int m, final int n) {
       checkPixel(m, n);
-      final double x = projection.windowX(m, getWidth()), y = projection.windowY(n, getHeight());
-      return Ray.towards(camera.pointX(x, y), camera.pointY(x, y), camera.pointZ(x, y), camera.vectorX(0, 0, -1), camera.vectorY(0, 0, -1), camera.vectorZ(0, 0, -1));
+      return Ray.towards(camera.pointX(x[m], y[n]), camera.pointY(x[m], y[n]), camera.pointZ(x[m], y[n]),
+          camera.vectorX(0, 0, -1), camera.vectorY(0, 0, -1), camera.vectorZ(0, 0, -1));
     }
 
     @Override
     public void fill(final RayTile tile, final int m, final int n) {
       checkTile(tile, m, n);
+      final double dx = camera.vectorX(0, 0, -1), dy = camera.vectorY(0, 0, -1), dz = camera.vectorZ(0, 0, -1);
       for (int row = 0; row < tile.rows(); row++) {
-        final double y = projection.windowY(n + row, getHeight());
+        final double b = y[n + row];
         for (int column = 0; column < tile.columns(); column++) {
-          final double x = projection.windowX(m + column, getWidth());
-          tile.put(row * RayTile.SIZE + column, camera.pointX(x, y), camera.pointY(x, y), camera.pointZ(x, y),
-              camera.vectorX(0, 0, -1), camera.vectorY(0, 0, -1), camera.vectorZ(0, 0, -1));
+          final double a = x[m + column];
+          tile.put(row * RayTile.SIZE + column, camera.pointX(a, b), camera.pointY(a, b), camera.pointZ(a, b), dx, dy, dz);
         }
       }
     }

@@ -36,31 +36,35 @@ public class Perspective extends Projection {
   /** Rays from the camera through the points (x, y, −1) of its frame. */
   static class PerspectiveRayGenerator extends RayGenerator {
 
-    private final Perspective projection;
     private final Camera camera;
+    private final double[] x;
+    private final double[] y;
 
     PerspectiveRayGenerator(final Camera camera, final int W, final int H) {
       super(camera, W, H);
-      projection = (Perspective) camera.getProjection();
+      final Projection projection = camera.getProjection();
       this.camera = camera;
+      this.x = projection.columnCentres(W);
+      this.y = projection.rowCentres(H);
     }
 
     @Override
     public Ray getRay(final int m, final int n) {
       checkPixel(m, n);
-      final double x = projection.windowX(m, getWidth()), y = projection.windowY(n, getHeight());
-      return Ray.towards(camera.eyeX(), camera.eyeY(), camera.eyeZ(), camera.vectorX(x, y, -1), camera.vectorY(x, y, -1), camera.vectorZ(x, y, -1));
+      return Ray.towards(camera.eyeX(), camera.eyeY(), camera.eyeZ(),
+          camera.vectorX(x[m], y[n], -1), camera.vectorY(x[m], y[n], -1), camera.vectorZ(x[m], y[n], -1));
     }
 
     @Override
     public void fill(final RayTile tile, final int m, final int n) {
       checkTile(tile, m, n);
+      final double eyeX = camera.eyeX(), eyeY = camera.eyeY(), eyeZ = camera.eyeZ();
       for (int row = 0; row < tile.rows(); row++) {
-        final double y = projection.windowY(n + row, getHeight());
+        final double b = y[n + row];
         for (int column = 0; column < tile.columns(); column++) {
-          final double x = projection.windowX(m + column, getWidth());
-          tile.put(row * RayTile.SIZE + column, camera.eyeX(), camera.eyeY(), camera.eyeZ(),
-              camera.vectorX(x, y, -1), camera.vectorY(x, y, -1), camera.vectorZ(x, y, -1));
+          final double a = x[m + column];
+          tile.put(row * RayTile.SIZE + column, eyeX, eyeY, eyeZ,
+              camera.vectorX(a, b, -1), camera.vectorY(a, b, -1), camera.vectorZ(a, b, -1));
         }
       }
     }

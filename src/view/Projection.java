@@ -64,14 +64,22 @@ public abstract class Projection {
     return (float) h;
   }
 
-  /** x of the centres of the pixels of column m, of W. */
-  final double windowX(final int m, final int W) {
-    return (m + 0.5) * w / W - w / 2;
+  /** x of the centres of the pixels of each of W columns. */
+  final double[] columnCentres(final int W) {
+    return centres(w, W);
   }
 
-  /** y of the centres of the pixels of row n, of H. */
-  final double windowY(final int n, final int H) {
-    return (n + 0.5) * h / H - h / 2;
+  /** y of the centres of the pixels of each of H rows. */
+  final double[] rowCentres(final int H) {
+    return centres(h, H);
+  }
+
+  private static double[] centres(final double size, final int pixels) {
+    final double[] centres = new double[pixels];
+    for (int i = 0; i < pixels; i++) {
+      centres[i] = (i + 0.5) * size / pixels - size / 2;
+    }
+    return centres;
   }
 
   /** Checks that a camera holds this projection, and answers it. */

@@ -1,0 +1,50 @@
+package acceleration;
+
+/**
+ * A side of a {@link TileFrustum}: the points with n·V + c ≥ 0 lie inside, where V is seen from the frustum's origin. Boxes
+ * are tested in floats, with c so much greater that rounding cannot take one out.
+ */
+final class SidePlane {
+
+  /** Bound of what rounding to floats can do to n·V + c, relative to the sum of |n| |V|: six roundings of 2^-24 each. */
+  static final double ROUNDING = 0x1p-21;
+
+  private double x;
+  private double y;
+  private double z;
+  private double c;
+  private float floatX;
+  private float floatY;
+  private float floatZ;
+  private float loose;
+
+  /** Which of a box's six numbers lie farthest along n. */
+  private int farX;
+  private int farY;
+  private int farZ;
+
+  void set(final double nx, final double ny, final double nz, final double at) {
+    x = nx;
+    y = ny;
+    z = nz;
+    c = at;
+    floatX = (float) nx;
+    floatY = (float) ny;
+    floatZ = (float) nz;
+    farX = nx > 0 ? 3 : 0;
+    farY = ny > 0 ? 4 : 1;
+    farZ = nz > 0 ? 5 : 2;
+  }
+
+  /** Allows for the rounding of coordinates, seen from the origin, up to the given ones. */
+  void loosen(final double mostX, final double mostY, final double mostZ) {
+    loose = Math.nextUp((float) (c + ROUNDING
+        * (Math.abs(x) * mostX + Math.abs(y) * mostY + Math.abs(z) * mostZ + Math.abs(c))));
+  }
+
+  /** Whether all of a box lies outside; false if numbers overflow. */
+  boolean isBefore(final float[] boxes, final int at, final float originX, final float originY, final float originZ) {
+    return (boxes[at + farX] - originX) * floatX + (boxes[at + farY] - originY) * floatY
+        + (boxes[at + farZ] - originZ) * floatZ + loose < 0;
+  }
+}

@@ -1,0 +1,100 @@
+package upnatray;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.concurrent.atomic.AtomicLong;
+
+import models.Group3D;
+import scenes.WorkFile;
+import view.Camera;
+
+/**
+ * Measures {@link Image#synthesis} on a work: {@code --bench WORKFILE THREADS SECONDS OUT.png}. It renders frames for about
+ * the given time and prints the line {@code RESULT mrays X percpu X build X load X hits X}: millions of rays per second by the
+ * clock and per CPU second of the rendering threads, from the second half of the frames, when the code is compiled; the
+ * seconds that building and loading took; and the share of pixels hit. With 0 seconds it renders one frame.
+ */
+final class Bench {
+
+  /** Fewest frames, unless they take too long: the first ones run before the code is compiled. */
+  private static final int FEWEST = 6;
+
+  private final WorkFile work;
+  private final int threads;
+  private final AtomicLong cpu = new AtomicLong();
+
+  private Bench(final WorkFile work, final int threads) {
+    this.work = work;
+    this.threads = threads;
+  }
+
+  static int run(final String[] args) throws IOException {
+    if (args.length != 4) {
+      System.err.println("--bench WORKFILE THREADS SECONDS OUT.png");
+      return 2;
+    }
+    final long begin = System.nanoTime();
+    final WorkFile work = WorkFile.read(Path.of(args[0]));
+    final double load = (System.nanoTime() - begin) * 1e-9;
+    new Bench(work, Integer.parseInt(args[1])).run(Double.parseDouble(args[2]), load, Path.of(args[3]));
+    return 0;
+  }
+
+  private void run(final double seconds, final double load, final Path out) throws IOException {
+    final long begin = System.nanoTime();
+    final Group3D scene = work.scene();
+    final Camera camera = work.camera();
+    final double build = (System.nanoTime() - begin) * 1e-9;
+    final Image image = new Image(work.width(), work.height(), work.background());
+    final double[] clock = new double[1 << 16], busy = new double[1 << 16];
+    int frames = 0;
+    final long start = System.nanoTime();
+    do {
+      final long frame = System.nanoTime();
+      cpu.set(seconds > 0 ? -threadTime() : 0);
+      image.synthesis(scene, camera, Rendering.STANDARD.withThreads(threads), seconds > 0 ? this::timed : Thread::new);
+      clock[frames] = (System.nanoTime() - frame) * 1e-9;
+      busy[frames++] = seconds > 0 ? (cpu.get() + threadTime()) * 1e-9 : threads * clock[0];
+    } while (goesOn(frames, (System.nanoTime() - start) * 1e-9, seconds));
+    report(Arrays.copyOfRange(clock, frames / 2, frames), Arrays.copyOfRange(busy, frames / 2, frames), load, build, share(scene, camera));
+    try (OutputStream stream = Files.newOutputStream(out)) {
+      PngWriter.write(image, stream);
+    }
+  }
+
+  private static boolean goesOn(final int frames, final double elapsed, final double seconds) {
+    return seconds > 0 && frames < 1 << 16 && (elapsed < seconds || frames < FEWEST && elapsed < 4 * seconds);
+  }
+
+  /** A thread that adds its CPU time to the sum. */
+  private Thread timed(final Runnable job) {
+    return new Thread(() -> {
+      job.run();
+      cpu.addAndGet(threadTime());
+    });
+  }
+
+  private static long threadTime() {
+    return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
+  }
+
+  private void report(final double[] clock, final double[] busy, final double load, final double build, final double hits) {
+    final double rays = work.width() * 1e-6 * work.height();
+    Arrays.sort(clock);
+    System.out.printf(Locale.ROOT, "RESULT mrays %.3f percpu %.3f build %.5f load %.5f hits %.4f%n",
+        rays / clock[clock.length / 2], rays * busy.length / Arrays.stream(busy).sum(), build, load, hits);
+  }
+
+  /** Share of the pixels whose ray meets something: in a picture of the same over a background that shows. */
+  private double share(final Group3D scene, final Camera camera) {
+    final Image image = new Image(work.width(), work.height(), new java.awt.Color(0, 0, 0, 0));
+    image.synthesis(scene, camera);
+    final int[] pixels = image.getRGB(0, 0, work.width(), work.height(), null, 0, work.width());
+    return (double) Arrays.stream(pixels).filter(argb -> argb != 0).count() / pixels.length;
+  }
+}
