@@ -16,7 +16,7 @@ import tracer.Ray;
  *
  * <p>The ray is taken into the box's frame and cut with three slabs (Kay and Kajiya, "Ray tracing complex scenes",
  * SIGGRAPH 1986); a ray parallel to a slab has a branch of its own, since 0 · ∞ is NaN. The face of a hit is the one
- * that its point is closest to.
+ * that its point is closest to; the point is put back on it.
  */
 public class Box extends Object3D {
 
@@ -66,22 +66,29 @@ public class Box extends Object3D {
   @Override
   Hit hitAt(final Ray ray, final double t, final int part) {
     final Frame f = frame;
-    final double x = ray.startX() + t * ray.directionX(), y = ray.startY() + t * ray.directionY(),
-        z = ray.startZ() + t * ray.directionZ();
-    final double lx = x - f.x, ly = y - f.y, lz = z - f.z;
-    final double a = f.alongI(lx, ly, lz), b = f.alongJ(lx, ly, lz), c = f.alongK(lx, ly, lz);
+    final double lx = ray.startX() - f.x, ly = ray.startY() - f.y, lz = ray.startZ() - f.z;
+    final double dx = ray.directionX(), dy = ray.directionY(), dz = ray.directionZ();
+    final double startA = f.alongI(lx, ly, lz), startB = f.alongJ(lx, ly, lz), startC = f.alongK(lx, ly, lz);
+    final double da = f.alongI(dx, dy, dz), db = f.alongJ(dx, dy, dz), dc = f.alongK(dx, dy, dz);
+    final double a = startA + t * da, b = startB + t * db, c = startC + t * dc;
     final double offW = Math.abs(Math.abs(a) - halfW), offH = Math.abs(Math.abs(b) - halfH),
         offD = Math.abs(Math.abs(c) - halfD);
     if (offW <= offH && offW <= offD) {
-      final double side = Math.signum(a);
-      return Hit.of(t, x, y, z, side * f.ix, side * f.iy, side * f.iz, this);
+      return hit(t, Slab.side(a, startA, da, halfW), 0, 0, a, b, c);
     }
-    if (offH <= offD) {
-      final double side = Math.signum(b);
-      return Hit.of(t, x, y, z, side * f.jx, side * f.jy, side * f.jz, this);
-    }
-    final double side = Math.signum(c);
-    return Hit.of(t, x, y, z, side * f.kx, side * f.ky, side * f.kz, this);
+    return offH <= offD ? hit(t, 0, Slab.side(b, startB, db, halfH), 0, a, b, c)
+        : hit(t, 0, 0, Slab.side(c, startC, dc, halfD), a, b, c);
+  }
+
+  /** A hit of the face whose normal in the box's frame is (na, nb, nc), its point put back on the face. */
+  private Hit hit(final double t, final double na, final double nb, final double nc,
+      final double a, final double b, final double c) {
+    final Frame f = frame;
+    final double onA = na == 0 ? Slab.within(a, halfW) : na * halfW, onB = nb == 0 ? Slab.within(b, halfH) : nb * halfH,
+        onC = nc == 0 ? Slab.within(c, halfD) : nc * halfD;
+    return Hit.of(t, f.x + (onA * f.ix + onB * f.jx + onC * f.kx), f.y + (onA * f.iy + onB * f.jy + onC * f.ky),
+        f.z + (onA * f.iz + onB * f.jz + onC * f.kz), na * f.ix + nb * f.jx + nc * f.kx,
+        na * f.iy + nb * f.jy + nc * f.ky, na * f.iz + nb * f.jz + nc * f.kz, this);
   }
 
   @Override

@@ -15,7 +15,8 @@ import tracer.Ray;
  * it from the middle P.
  *
  * <p>The ray is cut with the cylinder without end and with the slab between the discs; the hit is where the two
- * intervals first overlap. Whether it lies on the side or on a disc is told by which of them its point is closest to.
+ * intervals first overlap. Whether it lies on the side or on a disc is told by which of them its point is closest to, and
+ * there it is put back.
  * Source: Cychosz and Waggenspack, "Intersecting a Ray with a Cylinder", Graphics Gems IV, 1994.
  */
 public class Cylinder extends Object3D {
@@ -61,16 +62,22 @@ public class Cylinder extends Object3D {
   @Override
   Hit hitAt(final Ray ray, final double t, final int part) {
     final Axis u = axis;
-    final double x = ray.startX() + t * ray.directionX(), y = ray.startY() + t * ray.directionY(),
-        z = ray.startZ() + t * ray.directionZ();
-    final double s = u.along(x - u.x, y - u.y, z - u.z);
-    final double nx = x - u.x - s * u.ux, ny = y - u.y - s * u.uy, nz = z - u.z - s * u.uz;
-    final double offSide = Math.abs(Math.sqrt(nx * nx + ny * ny + nz * nz) - r);
-    if (offSide < Math.abs(Math.abs(s) - half)) {
-      return Hit.of(t, x, y, z, nx, ny, nz, this);
+    final double lx = ray.startX() - u.x, ly = ray.startY() - u.y, lz = ray.startZ() - u.z;
+    final double dx = ray.directionX(), dy = ray.directionY(), dz = ray.directionZ();
+    final double px = lx + t * dx, py = ly + t * dy, pz = lz + t * dz, s = u.along(px, py, pz);
+    final double nx = px - s * u.ux, ny = py - s * u.uy, nz = pz - s * u.uz, off = Math.sqrt(nx * nx + ny * ny + nz * nz);
+    if (Math.abs(off - r) < Math.abs(Math.abs(s) - half)) {
+      return at(t, Slab.within(s, half), nx, ny, nz, r / off, nx, ny, nz);
     }
-    final double side = Math.signum(s);
-    return Hit.of(t, x, y, z, side * u.ux, side * u.uy, side * u.uz, this);
+    final double side = Slab.side(s, u.along(lx, ly, lz), u.along(dx, dy, dz), half);
+    return at(t, side * half, nx, ny, nz, off > r ? r / off : 1, side * u.ux, side * u.uy, side * u.uz);
+  }
+
+  /** A hit with its point put back on the surface: at s along the axis and k (x, y, z) from it. */
+  private Hit at(final double t, final double s, final double x, final double y, final double z, final double k,
+      final double nx, final double ny, final double nz) {
+    return Hit.of(t, axis.x + (s * axis.ux + k * x), axis.y + (s * axis.uy + k * y), axis.z + (s * axis.uz + k * z),
+        nx, ny, nz, this);
   }
 
   @Override

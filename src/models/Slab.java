@@ -25,4 +25,26 @@ final class Slab {
   static double leave(final double s, final double d, final double h) {
     return d == 0 ? Double.POSITIVE_INFINITY : ((d > 0 ? h : -h) - s) / d;
   }
+
+  /**
+   * On which of its two planes a line met the slab. The coordinate of the point tells, unless the slab is so thin that it is
+   * lost in rounding; then where the line came from does.
+   *
+   * @param met coordinate of the point, computed from the line
+   * @param s coordinate of the line's start
+   * @param d component of its direction
+   * @param h half the thickness, &gt; 0
+   * @return −1 or 1
+   */
+  static double side(final double met, final double s, final double d, final double h) {
+    if (Math.abs(Math.abs(met) - h) <= 0.5 * h) {
+      return Math.copySign(1, met);
+    }
+    return Math.copySign(1, Math.abs(s) > h ? s : d);
+  }
+
+  /** A coordinate within the slab: the given one, or that of the plane beyond which it is. */
+  static double within(final double s, final double h) {
+    return Math.max(-h, Math.min(h, s));
+  }
 }

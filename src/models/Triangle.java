@@ -100,8 +100,14 @@ public class Triangle extends Object3D {
 
   @Override
   Hit hitAt(final Ray ray, final double t, final int part) {
-    return Hit.of(t, ray.startX() + t * ray.directionX(), ray.startY() + t * ray.directionY(),
-        ray.startZ() + t * ray.directionZ(), normalX(), normalY(), normalZ(), this);
+    return Hit.of(t, within(ax, bx, cx, ray.startX() + t * ray.directionX()),
+        within(ay, by, cy, ray.startY() + t * ray.directionY()), within(az, bz, cz, ray.startZ() + t * ray.directionZ()),
+        normalX(), normalY(), normalZ(), this);
+  }
+
+  /** A coordinate of a hit, which rounding must not take out of the box of the vertices. */
+  private static double within(final float a, final float b, final float c, final double computed) {
+    return Math.max(Math.min(a, Math.min(b, c)), Math.min(Math.max(a, Math.max(b, c)), computed));
   }
 
   @Override

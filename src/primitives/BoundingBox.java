@@ -20,6 +20,12 @@ public final class BoundingBox {
   public static final BoundingBox UNBOUNDED = new BoundingBox(Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY,
       Float.NEGATIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY);
 
+  /**
+   * By how much a computed box is widened, as a part of its coordinates: the points of a surface are computed with a few
+   * roundings of 2⁻⁵³ each, which the rounding to floats does not cover where a side comes to lie close to 0.
+   */
+  private static final double WIDER = 0x1p-48;
+
   /** One plus the relative error of a far side: a subtraction and a division on either side of the comparison. */
   private static final double FAR = 1 + 0x1p-50;
 
@@ -55,7 +61,7 @@ public final class BoundingBox {
   }
 
   /**
-   * The box about a centre, rounded outwards to floats.
+   * The box about a centre, rounded outwards to floats and a little wider than the rounding of doubles.
    *
    * @param x first coordinate of the centre
    * @param y second coordinate of the centre
@@ -67,7 +73,9 @@ public final class BoundingBox {
    */
   public static BoundingBox around(final double x, final double y, final double z,
       final double halfX, final double halfY, final double halfZ) {
-    return between(x - halfX, y - halfY, z - halfZ, x + halfX, y + halfY, z + halfZ);
+    final double hx = halfX + WIDER * (Math.abs(x) + halfX), hy = halfY + WIDER * (Math.abs(y) + halfY),
+        hz = halfZ + WIDER * (Math.abs(z) + halfZ);
+    return between(x - hx, y - hy, z - hz, x + hx, y + hy, z + hz);
   }
 
   /**

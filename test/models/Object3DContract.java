@@ -1,0 +1,307 @@
+package models;
+
+import static models.HitAssertions.assertSameHit;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+
+import org.junit.jupiter.api.Test;
+
+import primitives.BoundingBox;
+import primitives.Point3D;
+import tracer.Hit;
+import tracer.Ray;
+
+/**
+ * The laws that every {@link Object3D} must obey, as tests. The test of a shape implements this interface and so inherits
+ * them; it has to write two methods:
+ *
+ * <pre>{@code
+ * class ConeTest implements Object3DContract {
+ *   public Object3D shape(Placement at) {                    // some cone: C, axis, radius, height and colour
+ *     return new Cone(at.point(1, 2, 3), at.direction(0, 1, 0), at.length(2), at.length(5), Color.RED);
+ *   }
+ *   public double signedDistance(double x, double y, double z) {
+ *     ...                                                    // from the surface of that cone, negative inside
+ *   }
+ * }
+ * }</pre>
+ *
+ * <p>What it has to send through the placement are the points, the directions and the lengths; so the same shape can be
+ * asked for where it is, a million times as large, or turned and moved. A shape that has no volume, such as a triangle,
+ * answers false to {@link #isClosed}; one without a bounding box should tell its {@link #size}. Distances and normals have to
+ * be as exact as {@link #accuracy} says, in parts of the lengths that play a role.
+ */
+public interface Object3DContract {
+
+  /**
+   * The shape to be tested.
+   *
+   * @param at where to put it
+   * @return a new shape
+   */
+  Object3D shape(Placement at);
+
+  /**
+   * Distance of a point from the shape's surface, computed straightforwardly, or anything else with its sign whose slope at
+   * the surface is about 1.
+   *
+   * @param x first coordinate of the point, in the model's frame (where {@link Placement#MODEL} leaves the shape)
+   * @param y second coordinate
+   * @param z third coordinate
+   * @return negative inside, positive outside; of a surface without inside, negative on the side that its normal leaves
+   */
+  double signedDistance(double x, double y, double z);
+
+  /**
+   * Whether no way leads from inside to outside except through the surface, as for a solid or a plane.
+   *
+   * @return true unless overridden
+   */
+  default boolean isClosed() {
+    return true;
+  }
+
+  /**
+   * How exact hits are, relative to the lengths involved.
+   *
+   * @return 1e-5 unless overridden
+   */
+  default double accuracy() {
+    return 1e-5;
+  }
+
+  /**
+   * Extent of the shape.
+   *
+   * @return that of its box, or 4 if it has none
+   */
+  default double size() {
+    final BoundingBox box = shape(Placement.MODEL).getBoundingBox();
+    return !box.isFinite() ? 4
+        : Math.max(box.maxX() - box.minX(), Math.max(box.maxY() - box.minY(), box.maxZ() - box.minZ()));
+  }
+
+  /**
+   * Middle of the shape.
+   *
+   * @return that of its box, or the origin if it has none
+   */
+  default Point3D centre() {
+    final BoundingBox box = shape(Placement.MODEL).getBoundingBox();
+    final Point3D centre = new Point3D();
+    if (box.isFinite()) {
+      centre.interpolate(box.getMin(), box.getMax(), 0.5f);
+    }
+    return centre;
+  }
+
+  /** Points are where the ray is after the distance t, and on the surface; the object has a colour. */
+  @Test
+  default void hitsLieOnTheRayAndOnTheSurface() {
+    final ContractTrial trial = new ContractTrial(this, "on ray and surface");
+    trial.hits((ray, hit) -> {
+      final double t = hit.getT(), scale = size() + t + largest(ray.startX(), ray.startY(), ray.startZ());
+      final double tolerance = accuracy() * scale + 0x1p-23 * t;
+      assertTrue(t > 0 && t < Float.POSITIVE_INFINITY);
+      assertEquals(ray.startX() + t * ray.directionX(), hit.pointX(), tolerance);
+      assertEquals(ray.startY() + t * ray.directionY(), hit.pointY(), tolerance);
+      assertEquals(ray.startZ() + t * ray.directionZ(), hit.pointZ(), tolerance);
+      assertEquals(0, signedDistance(hit.pointX(), hit.pointY(), hit.pointZ()), accuracy() * scale);
+      assertEquals(new Point3D((float) hit.pointX(), (float) hit.pointY(), (float) hit.pointZ()), hit.getPoint());
+      assertNotNull(hit.getObject().getColor());
+    });
+  }
+
+  /** Normals have unit length and the direction in which the distance from the surface grows. */
+  @Test
+  default void normalsAreUnitVectorsThatPointOut() {
+    final ContractTrial trial = new ContractTrial(this, "normals");
+    final int[] smooth = {0};
+    final int hits = trial.hits((ray, hit) -> {
+      assertEquals(1, hit.getNormal().length(), 1e-6);
+      final double[] n = {hit.normalX(), hit.normalY(), hit.normalZ()}, slope = trial.slope(hit);
+      if (slope != null) {
+        smooth[0]++;
+        for (int i = 0; i < 3; i++) {
+          assertEquals(slope[i], n[i], 1e-3);
+        }
+      }
+    });
+    assertTrue(smooth[0] > hits / 2, () -> "only " + smooth[0] + " of " + hits + " hits where the slope could be measured");
+  }
+
+  /** Nothing is crossed before the hit: neither does the side change, nor does a ray that starts later hit elsewhere. */
+  @Test
+  default void theHitIsTheFirst() {
+    final ContractTrial trial = new ContractTrial(this, "first hit");
+    trial.hits((ray, hit) -> {
+      final double t = hit.getT(), tolerance = 100 * accuracy() * (size() + t) + 0x1p-22 * t;
+      if (isClosed()) {
+        trial.assertOneSide(ray, t - tolerance);
+      }
+      for (int i = 1; i < 8; i++) {
+        final double ahead = t * i / 8;
+        if (t - ahead > tolerance) {
+          final Hit later = shape(Placement.MODEL).intersectionWith(ContractTrial.ahead(ray, ahead));
+          assertEquals(t - ahead, later.getT(), tolerance);
+        }
+      }
+    });
+  }
+
+  /** A ray that hits nothing does not change sides. */
+  @Test
+  default void missesCrossNothing() {
+    final ContractTrial trial = new ContractTrial(this, "misses");
+    trial.misses(ray -> {
+      if (isClosed()) {
+        trial.assertOneSide(ray, trial.beyond(ray));
+      }
+    });
+  }
+
+  /** A hit's point is in the box, and a ray that passes the box by is a miss. */
+  @Test
+  default void theBoxContainsEveryHit() {
+    final BoundingBox box = shape(Placement.MODEL).getBoundingBox();
+    new ContractTrial(this, "box").all((ray, hit) -> {
+      final boolean crosses = box.isCrossedBy(ray.startX(), ray.startY(), ray.startZ(),
+          ray.directionX(), ray.directionY(), ray.directionZ());
+      assertTrue(crosses || !hit.hits(), "a hit off the box");
+      assertTrue(!hit.hits() || box.contains(hit.getPoint()), "a point off the box");
+    });
+  }
+
+  /** All lengths times a power of two give t times the same, bit for bit: there is no absolute tolerance in the shape. */
+  @Test
+  default void scalingByAPowerOfTwoScalesTheHitExactly() {
+    for (final float factor : new float[] {0x1p20f, 0x1p-20f}) {
+      final Object3D scaled = shape(Placement.scaled(factor));
+      new ContractTrial(this, "scaling").all((ray, hit) -> {
+        final Hit scaledHit = scaled.intersectionWith(Ray.exactly(factor * ray.startX(), factor * ray.startY(),
+            factor * ray.startZ(), ray.directionX(), ray.directionY(), ray.directionZ()));
+        assertEquals(hit.getT() * factor, scaledHit.getT(), "t");
+        assertEquals(hit.getNormal(), scaledHit.getNormal(), "normal");
+      });
+    }
+  }
+
+  /** A shape in an {@link AffineTransformation} agrees with one that was built in the place to which that takes it. */
+  @Test
+  default void theTransformedShapeAgreesWithOnePlacedSo() {
+    for (final Placement at : ContractTrial.PLACEMENTS) {
+      final ContractTrial trial = new ContractTrial(this, "transformation");
+      final Object3D placed = shape(at), transformed = at.transformed(shape(Placement.MODEL));
+      final int[] compared = {0};
+      trial.all((ray, hit) -> {
+        if (trial.isSound(ray, hit)) {
+          compared[0]++;
+          trial.assertAgree(at, placed.intersectionWith(at.ray(ray)), transformed.intersectionWith(at.ray(ray)), hit);
+        }
+      });
+      assertTrue(compared[0] > ContractTrial.RAYS / 3, () -> "only " + compared[0] + " rays far enough from an edge");
+    }
+  }
+
+  /** In a group, also with others farther away, the shape answers as it does alone. */
+  @Test
+  default void aGroupAnswersAsTheShapeDoes() {
+    final Object3D shape = shape(Placement.MODEL);
+    final Group3D group = new Group3D(), outer = new Group3D();
+    for (int i = 0; i < 9; i++) {
+      final Point3D far = centre();
+      far.x += (float) (1e9 * size() * (i - 4.5));
+      group.addObject(new Sphere(far, (float) size(), Color.BLACK));
+    }
+    group.addObject(shape);
+    outer.addObject(group);
+    new ContractTrial(this, "group").all(shape, (ray, hit) -> {
+      final Hit found = outer.intersectionWith(ray);
+      if (hit.hits() || found.hits() && found.getT() < 1e6 * size()) {
+        assertSameHit(hit, found, "in a group");
+      }
+    });
+  }
+
+  /** The same question gets the same answer, from all threads at once too. */
+  @Test
+  default void severalThreadsGetTheSameAnswers() throws Exception {
+    final Object3D shape = shape(Placement.MODEL);
+    final List<Ray> rays = new ArrayList<>();
+    final List<Hit> expected = new ArrayList<>();
+    new ContractTrial(this, "threads").all(shape, (ray, hit) -> {
+      rays.add(ray);
+      expected.add(hit);
+    });
+    final ExecutorService threads = Executors.newFixedThreadPool(4);
+    try {
+      final List<Future<?>> ends = new ArrayList<>();
+      for (int k = 0; k < 4; k++) {
+        ends.add(threads.submit(() -> {
+          for (int i = 0; i < rays.size(); i++) {
+            assertSameHit(expected.get(i), shape.intersectionWith(rays.get(i)), rays.get(i).toString());
+          }
+        }));
+      }
+      for (final Future<?> end : ends) {
+        end.get();
+      }
+    } finally {
+      threads.shutdown();
+    }
+  }
+
+  /** The absence of a ray hits nothing. */
+  @Test
+  default void theAbsentRayMisses() {
+    assertSame(Hit.NOHIT, shape(Placement.MODEL).intersectionWith(Ray.NORAY));
+  }
+
+  /** Rays of numbers that are none, or infinite, hit nothing, and the search for a hit ends. */
+  @Test
+  default void raysThatAreNotFiniteMiss() {
+    final Object3D shape = shape(Placement.MODEL);
+    for (final double wrong : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
+      for (int i = 0; i < 6; i++) {
+        final double[] r = {0.1, 0.2, 0.3, 0.48, 0.6, 0.64};
+        r[i] = wrong;
+        final Ray ray = Ray.exactly(r[0], r[1], r[2], r[3], r[4], r[5]);
+        assertSame(Hit.NOHIT, shape.intersectionWith(ray), () -> shape + ", " + Arrays.toString(r));
+      }
+    }
+  }
+
+  /** No ray at all is a wrong argument. */
+  @Test
+  default void nullIsNoRay() {
+    final Object3D shape = shape(Placement.MODEL);
+    final String message = assertThrows(IllegalArgumentException.class, () -> shape.intersectionWith(null)).getMessage();
+    assertTrue(message.contains("ray"), message);
+  }
+
+  /** What a caller does to a point or a normal that it got changes no hit. */
+  @Test
+  default void callersCannotChangeAHit() {
+    new ContractTrial(this, "copies").hits((ray, hit) -> {
+      final String before = hit.toString();
+      hit.getPoint().scale(7);
+      hit.getNormal().negate();
+      assertEquals(before, hit.toString());
+    });
+  }
+
+  private static double largest(final double a, final double b, final double c) {
+    return Math.max(Math.abs(a), Math.max(Math.abs(b), Math.abs(c)));
+  }
+}
