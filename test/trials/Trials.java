@@ -6,18 +6,20 @@ import org.junit.jupiter.api.function.ThrowingConsumer;
 
 /**
  * Repeats a test with random numbers, the same in every run. A trial that fails tells its seed; with the system property
- * {@code test.seed} set to it (ant -Dtest.jvmargs="-ea -Dtest.seed=17" test-single ...) it comes first.
+ * {@code test.seed} set to it (ant -Dtest.jvmargs="-ea -Dtest.seed=17" test-single ...) it comes first. {@code test.trials} set to
+ * 100 makes a hundred times as many.
  */
 public final class Trials {
 
   private static final long SEED = Long.getLong("test.seed", 0);
+  private static final int FACTOR = Integer.getInteger("test.trials", 1);
 
   private Trials() {
   }
 
   /** Runs a test with a number of different random generators. */
   public static void of(final int number, final ThrowingConsumer<Random> test) {
-    for (long seed = SEED; seed < SEED + number; seed++) {
+    for (long seed = SEED; seed < SEED + (long) number * FACTOR; seed++) {
       try {
         test.accept(random(seed));
       } catch (Throwable failure) {
