@@ -46,7 +46,8 @@ public final class TileFrustum {
   private double axisX;
   private double axisY;
   private double axisZ;
-  private double axisAt;
+  private double mostAhead;
+  private double mostBehind;
   private float floatX;
   private float floatY;
   private float floatZ;
@@ -54,6 +55,7 @@ public final class TileFrustum {
   private float floatAxisY;
   private float floatAxisZ;
   private float nearLoose;
+  private float farLoose;
   private int nearX;
   private int nearY;
   private int nearZ;
@@ -103,7 +105,7 @@ public final class TileFrustum {
     axisX = g.wx;
     axisY = g.wy;
     axisZ = g.wz;
-    axisAt = g.pyramid ? 0 : leastStart(tile);
+    findStarts(tile);
     floatAxisX = (float) axisX;
     floatAxisY = (float) axisY;
     floatAxisZ = (float) axisZ;
@@ -112,15 +114,18 @@ public final class TileFrustum {
     nearZ = axisZ > 0 ? 2 : 5;
   }
 
-  /** How far before the origin the rearmost ray of a prism starts, as a number to be added to a distance from the origin. */
-  private double leastStart(final RayTile tile) {
-    double most = 0;
-    for (int i = 0; i < RayTile.SIZE * tile.rows(); i++) {
-      final double ahead = (tile.startX(i) - originX) * axisX + (tile.startY(i) - originY) * axisY
-          + (tile.startZ(i) - originZ) * axisZ;
-      most = tile.isPresent(i) && ahead > most ? ahead : most;
+  /** Finds how far before and behind the origin, along the axis, rays start: the starts of a prism may lie on a slant. */
+  private void findStarts(final RayTile tile) {
+    mostAhead = 0;
+    mostBehind = 0;
+    for (int i = 0; !grid.pyramid && i < RayTile.SIZE * tile.rows(); i++) {
+      if (tile.isPresent(i)) {
+        final double ahead = (tile.startX(i) - originX) * axisX + (tile.startY(i) - originY) * axisY
+            + (tile.startZ(i) - originZ) * axisZ;
+        mostAhead = Math.max(mostAhead, ahead);
+        mostBehind = Math.max(mostBehind, -ahead);
+      }
     }
-    return -most;
   }
 
   private void takePlanes() {
@@ -151,7 +156,8 @@ public final class TileFrustum {
     right.loosen(x, y, z);
     below.loosen(x, y, z);
     above.loosen(x, y, z);
-    nearLoose = (float) (axisAt - SidePlane.ROUNDING * (x + y + z - axisAt));
+    nearLoose = (float) (-mostAhead - SidePlane.ROUNDING * (x + y + z + mostAhead));
+    farLoose = (float) (mostBehind + SidePlane.ROUNDING * (x + y + z + mostBehind));
   }
 
   /** Greatest distance of an interval's points from an origin, and twice what the origin's own rounding adds to it. */
@@ -169,7 +175,7 @@ public final class TileFrustum {
   boolean isOutside(final float[] boxes, final int at) {
     final float x = floatX, y = floatY, z = floatZ;
     final float far = (boxes[at + 3 - nearX] - x) * floatAxisX + (boxes[at + 5 - nearY] - y) * floatAxisY
-        + (boxes[at + 7 - nearZ] - z) * floatAxisZ - nearLoose;
+        + (boxes[at + 7 - nearZ] - z) * floatAxisZ + farLoose;
     return far < 0 || left.isBefore(boxes, at, x, y, z) || right.isBefore(boxes, at, x, y, z)
         || below.isBefore(boxes, at, x, y, z) || above.isBefore(boxes, at, x, y, z);
   }
