@@ -62,6 +62,11 @@ final class ByteReader {
     return ended && at >= end;
   }
 
+  /** Whether the window ends at an index although the file does not: a word that reaches there is cut, so long it is. */
+  boolean isCut(final int i) {
+    return i >= end && !ended;
+  }
+
   /** Number of bytes of the file before {@link #at}. */
   long position() {
     return before + at;

@@ -21,11 +21,13 @@ final class DecimalParser {
   private static final long MIDDLE = 1L << 28;
   private static final long DOUBT = 8;
 
-  private static final double[] POWERS = new double[61];
+  /** Powers of ten, from that of the least exponent on. */
+  private static final int LARGEST_EXPONENT = 60;
+  private static final double[] POWERS = new double[2 * LARGEST_EXPONENT + 1];
 
   static {
-    for (int e = 0; e < POWERS.length; e++) {
-      POWERS[e] = Double.parseDouble("1e" + e);
+    for (int i = 0; i < POWERS.length; i++) {
+      POWERS[i] = Double.parseDouble("1e" + (i - LARGEST_EXPONENT));
     }
   }
 
@@ -104,8 +106,8 @@ final class DecimalParser {
   }
 
   private float rounded(final boolean negative, final long w, final int exponent, final byte[] bytes, final int start) {
-    if (exponent > -POWERS.length && exponent < POWERS.length) {
-      final double value = exponent < 0 ? w / POWERS[-exponent] : w * POWERS[exponent];
+    if (exponent >= -LARGEST_EXPONENT && exponent <= LARGEST_EXPONENT) {
+      final double value = w * POWERS[exponent + LARGEST_EXPONENT];
       final long fromMiddle = (Double.doubleToRawLongBits(value) & DROPPED) - MIDDLE;
       final boolean normal = value >= Float.MIN_NORMAL || w == 0;
       if (normal && (fromMiddle > DOUBT || fromMiddle < -DOUBT)) {

@@ -27,7 +27,10 @@ record Expected(String key, Range range) {
 
   /** The words, for a value of a name. */
   String text(final String name) {
+    if (range == null) {
+      return Messages.text(key, name);
+    }
     final String number = "expectedTriple".equals(key) ? "x" : name;
-    return Messages.text(key, range == null ? name : range.about(number));
+    return range.hasEnd() ? Messages.text(key, range.about(number)) : Messages.text(key + "Any");
   }
 }

@@ -27,6 +27,9 @@ final class ObjReader {
   /** After so many errors the rest of a file is not looked at. */
   static final int MOST_ERRORS = 20;
 
+  /** More digits than this are no number of a vertex. */
+  private static final int MOST_DIGITS = 18;
+
   /**
    * A mesh as arrays.
    *
@@ -67,6 +70,7 @@ final class ObjReader {
     } catch (final IOException failure) {
       whole("unreadable", failure.getClass().getSimpleName() + ": " + failure.getMessage());
     }
+    triangles.settle();
     if (errors == 0 && triangles.isEmpty()) {
       whole(triangles.dropped() > 0 ? "noArea" : "noFacet", triangles.dropped());
     } else if (errors == 0 && triangles.dropped() > 0) {
@@ -212,9 +216,9 @@ final class ObjReader {
     final int digits = i;
     long index = 0;
     for (int digit = window[i] - '0'; digit >= 0 && digit <= 9; digit = window[++i] - '0') {
-      index = Math.min(10 * index + digit, Integer.MAX_VALUE);
+      index = 10 * index + digit;
     }
-    final boolean none = i == digits;
+    final boolean none = i == digits || i - digits > MOST_DIGITS;
     while (window[i] >= '/' && window[i] <= '9' || window[i] == '-') {
       i++;
     }
@@ -236,7 +240,9 @@ final class ObjReader {
     while (true) {
       bytes.reserve();
       final byte b = bytes.window[bytes.at];
-      if (b == ' ' || b == '\t') {
+      if (b > '#' && b != '\\') {
+        return true;
+      } else if (b == ' ' || b == '\t') {
         bytes.at++;
       } else if (b == '\\' && continues(bytes.at)) {
         bytes.at++;
@@ -258,7 +264,7 @@ final class ObjReader {
   }
 
   private boolean endsWord(final int i) {
-    return isBlank(bytes.window[i]) || bytes.window[i] == '#' || continues(i);
+    return isBlank(bytes.window[i]) && !bytes.isCut(i) || bytes.window[i] == '#' || continues(i);
   }
 
   /** Passes over the rest of a line, and over the lines that continue it if they may. */

@@ -28,15 +28,26 @@ record Range(double low, boolean lowAllowed, double high, boolean highAllowed) {
     return (lowAllowed ? x >= low : x > low) && (highAllowed ? x <= high : x < high);
   }
 
-  /** The range of a name in the signs of mathematics, {@code 0 < fov <= 180}; just the name if it has no ends. */
+  /** Whether it has an end at all; that of the type of the number does not count. */
+  boolean hasEnd() {
+    return hasLowEnd() || hasHighEnd();
+  }
+
+  private boolean hasLowEnd() {
+    return low > Integer.MIN_VALUE;
+  }
+
+  private boolean hasHighEnd() {
+    return high < Double.POSITIVE_INFINITY;
+  }
+
+  /** The range of a name in the signs of mathematics, {@code 0 < fov <= 180}. */
   String about(final String name) {
-    final boolean lowEnd = low > Integer.MIN_VALUE;
-    final boolean highEnd = high < Double.POSITIVE_INFINITY;
-    if (lowEnd && !highEnd) {
+    if (!hasHighEnd()) {
       return name + (lowAllowed ? " >= " : " > ") + number(low);
     }
-    return (lowEnd ? number(low) + (lowAllowed ? " <= " : " < ") : "") + name
-        + (highEnd ? (highAllowed ? " <= " : " < ") + number(high) : "");
+    return (hasLowEnd() ? number(low) + (lowAllowed ? " <= " : " < ") : "") + name
+        + (highAllowed ? " <= " : " < ") + number(high);
   }
 
   private static String number(final double x) {

@@ -99,7 +99,7 @@ final class Vocabulary {
     final boolean known = element == section;
     attributes(element, known);
     final Set<String> allowed = allowed(section);
-    if (!element.text().isBlank()) {
+    if (!element.text().isBlank() && (known || !element.children().isEmpty())) {
       problems.warning(element.valueOffset(), "strayText", Messages.quote(element.text()), section.name());
     }
     for (final Element child : element.children()) {

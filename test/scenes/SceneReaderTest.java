@@ -1,0 +1,230 @@
+package scenes;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import primitives.Point3D;
+import primitives.Vector3D;
+import tracer.Hit;
+import tracer.Ray;
+
+class SceneReaderTest {
+
+  @TempDir
+  Path folder;
+
+  private SceneFiles files;
+
+  @BeforeEach
+  void start() {
+    files = new SceneFiles(folder);
+  }
+
+  private void assertProblems(final Reading reading, final String... lines) {
+    assertEquals(List.of(lines), SceneFiles.lines(reading));
+    final boolean error = reading.problems().stream().anyMatch(Problem::isError);
+    assertEquals(error, reading.scene().isEmpty());
+  }
+
+  @Test
+  void aSoundSceneIsReadWithoutAWord() {
+    final Reading reading = files.read(SceneFiles.SOUND);
+    assertProblems(reading);
+    final Scene scene = reading.scene().orElseThrow();
+    assertEquals("a ball", scene.name());
+    assertEquals(40, scene.width());
+    assertEquals(30, scene.height());
+    assertEquals(new Color(51, 102, 153), scene.background());
+    assertTrue(scene.facing());
+    assertEquals(new Point3D(0, 0, 5), scene.camera().getPosition());
+    assertEquals(new Vector3D(0, 0, -1), scene.camera().getLook());
+    assertEquals(2 * Math.tan(Math.PI / 6), scene.camera().getProjection().getHeight(), 1e-6);
+    assertEquals(1.3333 * 2 * Math.tan(Math.PI / 6), scene.camera().getProjection().getWidth(), 1e-6);
+    final Hit hit = scene.objects().intersectionWith(new Ray(new Point3D(0, 0, 5), new Vector3D(0, 0, -1)));
+    assertEquals(4, hit.getT(), 1e-6);
+    assertEquals(Color.RED, hit.getObject().getColor());
+  }
+
+  @Test
+  void falseLightingChoosesPlainColours() {
+    final String engine = "<illumination>false</illumination>";
+    assertFalse(files.readWith(engine, engine + "<falseLighting>false</falseLighting>").scene().orElseThrow().facing());
+    assertTrue(files.readWith(engine, engine + "<falseLighting> TRUE </falseLighting>").scene().orElseThrow().facing());
+  }
+
+  @Test
+  void orthographicAspectIsWidthByHeight() {
+    final Scene scene = files.readWith("<projection type=\"perspective\">\n    <fov>60</fov>",
+        "<projection type=\"orthographic\">\n    <height>3</height>").scene().orElseThrow();
+    assertEquals(3, scene.camera().getProjection().getHeight(), 1e-6);
+    assertEquals(4, scene.camera().getProjection().getWidth(), 1e-3);
+  }
+
+  @Test
+  void allProblemsAreToldInTheOrderOfTheFile() {
+    final String text = SceneFiles.SOUND.replace("<W>40</W>", "<W>0</W>").replace("<fov>60</fov>", "<fov>sixty</fov>")
+        .replace("<radius>1</radius>", "<radius>0</radius>").replace("0 1 0</up>", "0 0 1</up>")
+        .replace("<modelId>ball", "<modelId>bal").replace("255 0 0", "300 0 0");
+    assertProblems(files.read(text),
+        "4:8: `W` is out of range: found `0`, expected a whole number, W >= 1",
+        "19:9: `up` lies along the view: found `0 0 1`, expected a direction that is not parallel to that from `position` to "
+            + "`lookAt`",
+        "22:10: `fov` is not a number: found `sixty`, expected a number such as 2.5, 0 < fov < 180",
+        "27:15: `radius` is out of range: found `0`, expected a number such as 2.5, radius > 0",
+        "32:16: `modelId` names nothing: found `bal`, expected an id of this file. Did you mean `ball`?",
+        "33:14: `color` is out of range: found `300`, expected a number such as 2.5, 0 <= color <= 255");
+  }
+
+  @Test
+  void messagesAreInSpanishWhereTheLocaleIs() {
+    SceneFiles.in(new Locale("es", "ES"), () -> {
+      assertProblems(files.readWith("<W>40</W>", "<W>cuarenta</W><ancho>1</ancho><backgroudColor>1</backgroudColor>"),
+          "4:8: `W` no es un número entero: se encontró `cuarenta`, se esperaba un número entero, W >= 1",
+          "4:20: aviso: elemento desconocido `ancho` en `raster`.",
+          "4:36: aviso: elemento desconocido `backgroudColor` en `raster`. ¿Quiso decir `backgroundColor`?");
+    });
+  }
+
+  @ParameterizedTest
+  @CsvSource(delimiter = '|', value = {
+    "raster|<raster>|</raster>|an element <raster>",
+    "rayTracer|<rayTracer>|</rayTracer>|an element <rayTracer>",
+    "engine|<engine>|</engine>|an element <engine>",
+    "camera|<camera>|</camera>|an element <camera>",
+    "projection|<projection type=\"perspective\">|</projection>|an element <projection>",
+    "scene|<scene>|</scene>|an element <scene>"})
+  void aMissingSectionIsNamed(final String name, final String open, final String close, final String expected) {
+    final String text = SceneFiles.SOUND;
+    final int from = text.indexOf(open), to = text.indexOf(close) + close.length();
+    assertProblems(files.read(text.substring(0, from) + text.substring(to)),
+        "2:1: `image` lacks `" + name + "`: expected " + expected + ".");
+  }
+
+  @Test
+  void repeatedValuesCountOnce() {
+    final Reading reading = files.readWith("<W>40</W>", "<W>40</W> <W>50</W>");
+    assertProblems(reading, "4:15: warning: a second `W` in `raster` is ignored: the one of line 4 counts");
+    assertEquals(40, reading.scene().orElseThrow().width());
+  }
+
+  @Test
+  void wrappersAreHarmlessButTold() {
+    final Reading reading = files.readWith("<radius>1</radius>", "<size><radius>1</radius></size>");
+    assertProblems(reading, "27:7: warning: unknown element `size` in `model`.");
+  }
+
+  @Test
+  void aNameOutOfPlaceIsTold() {
+    assertProblems(files.readModel("sphere", "<radius>1</radius><color>1 0 0</color>"),
+        "27:25: warning: `color` is out of place in `model`: it belongs in `object`");
+    assertProblems(files.readModel("sphere", "<radius>1</radius><Axislength>1</Axislength>"),
+        "27:25: warning: `Axislength` has no effect in `model` of type `sphere`");
+    assertProblems(files.readModel("sphere", "<radius>1</radius><center>1 0 0</center>"),
+        "27:25: warning: `center` is a name of another edition and is ignored: the centre of a sphere is the `translation` of "
+            + "its object");
+  }
+
+  @Test
+  void anUnknownAttributeIsTold() {
+    assertProblems(files.readWith("<model id=", "<model Id=\"x\" id="),
+        "26:12: warning: unknown attribute `Id` of `model`. Did you mean `id`?");
+    assertProblems(files.readWith("<image name=\"a ball\">", "<image xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\""
+        + " xsi:noNamespaceSchemaLocation=\"scene.xsd\">"));
+  }
+
+  @Test
+  void aLaterModelOfTheSameIdCounts() {
+    final Reading reading = files.readWith("</models>",
+        "  <model id=\"ball\" type=\"sphere\"><radius>2</radius></model></models>");
+    assertProblems(reading, "29:12: warning: a second `model` of id `ball`: the last one counts");
+    final Ray ray = new Ray(new Point3D(0, 0, 5), new Vector3D(0, 0, -1));
+    assertEquals(3, reading.scene().orElseThrow().objects().intersectionWith(ray).getT(), 1e-6);
+  }
+
+  @Test
+  void aModelThatIsNotSupportedMattersOnlyWhereItIsShown() {
+    final String egg = "<model id=\"e\" type=\"egg\"><a>1</a><b>2</b><w>1</w></model>";
+    assertProblems(files.readWith("</models>", egg + "</models>"));
+    assertProblems(files.read(SceneFiles.with("</models>", egg + "</models>").replace("<modelId>ball", "<modelId>e")),
+        "32:16: model `e` is of type `egg`, which is not supported yet: expected one of sphere, box, plane, cylinder, capsule, "
+            + "torus, ellipsoid, mesh");
+  }
+
+  @Test
+  void aFileThatIsNotThereIsToldWithoutAPlace() {
+    final Path none = folder.resolve("none.xml");
+    assertEquals(none + ": there is no such file", SceneReader.read(none).problems().get(0).toString());
+    assertEquals(folder + ": this is a folder, not a scene file", SceneReader.read(folder).problems().get(0).toString());
+    assertThrows(IllegalArgumentException.class, () -> SceneReader.read(null));
+  }
+
+  @Test
+  void whatIsNoSceneIsQuotedBriefly() {
+    assertProblems(files.read("Lorem ipsum dolor sit amet, consectetur adipisicing elit, sed do eiusmod tempor"),
+        "1:1: `Lorem ipsum dolor sit amet, consectet...` stands outside of the document: expected nothing but comments before and "
+            + "after its one element",
+        "1:1: this is not a scene: found `Lorem ipsum dolor sit amet, consectet...`, expected XML with an element `image`");
+    assertProblems(files.read("<html><body/></html>"), "1:1: the document element is `html`, expected `image`.");
+    assertProblems(files.read("<imagen/>"), "1:1: the document element is `imagen`, expected `image`. Did you mean `image`?");
+    assertProblems(SceneReader.read(files.write("picture.png", new byte[] {(byte) 0x89, 'P', 'N', 'G', 13, 10, 26, 10, 0})),
+        "1:1: warning: the file is not encoded in `UTF-8`; read as Latin-1",
+        "2:1: the character of code 1a (hexadecimal) must not occur in XML: is this a scene file?");
+  }
+
+  @Test
+  void theImageMayBeInsideAnotherElement() {
+    final String wrapped = SceneFiles.SOUND.replace("<image name=\"a ball\">", "<all><image>") + "</all>";
+    assertProblems(files.read(wrapped), "2:1: warning: the document element is `all`, expected `image`; it is looked for inside");
+  }
+
+  @Test
+  void documentTypesAreRefused() {
+    final String bomb = "<!DOCTYPE image [<!ENTITY a \"x\"><!ENTITY b SYSTEM \"file:///etc/hostname\">]>\n<image>";
+    assertProblems(files.readWith("<image name=\"a ball\">", bomb),
+        "2:1: `<!DOCTYPE` is refused: a scene file has no document type and no entities of its own");
+  }
+
+  @Test
+  void byteOrderMarksAndLatin1CommentsDoNoHarm() {
+    final byte[] plain = SceneFiles.SOUND.getBytes(StandardCharsets.UTF_8);
+    final byte[] marked = new byte[plain.length + 3];
+    marked[0] = (byte) 0xef;
+    marked[1] = (byte) 0xbb;
+    marked[2] = (byte) 0xbf;
+    System.arraycopy(plain, 0, marked, 3, plain.length);
+    assertProblems(SceneReader.read(files.write("utf8.xml", marked)));
+    final String accented = SceneFiles.with("<raster>", "<!-- cámara --><raster>");
+    assertProblems(SceneReader.read(files.write("u.xml", accented.getBytes(StandardCharsets.UTF_8))));
+    assertProblems(SceneReader.read(files.write("u16.xml", ("\ufeff" + accented).getBytes(StandardCharsets.UTF_16LE))));
+    assertProblems(SceneReader.read(files.write("l.xml", accented.getBytes(StandardCharsets.ISO_8859_1))),
+        "1:1: warning: the file is not encoded in `UTF-8`; read as Latin-1");
+    final String declared = accented.replace("?>", " encoding='ISO-8859-1'?>");
+    assertProblems(SceneReader.read(files.write("d.xml", declared.getBytes(StandardCharsets.ISO_8859_1))));
+    final String unknown = accented.replace("?>", " encoding=\"klingon\"?>");
+    assertProblems(SceneReader.read(files.write("k.xml", unknown)),
+        "1:1: warning: the encoding `klingon` of the XML declaration is not known; read as UTF-8");
+  }
+
+  @Test
+  void columnsCountCharactersAndLinesEndInThreeWays() {
+    final String text = SceneFiles.with("<W>40</W>", "<!-- ñandú 🚀 --><W>x</W>");
+    final String expected = "`W` is not a whole number: found `x`, expected a whole number, W >= 1";
+    assertProblems(files.read(text), "4:24: " + expected);
+    assertProblems(files.read(text.replace("\n", "\r\n")), "4:24: " + expected);
+    assertProblems(files.read(text.replace("\n", "\r")), "4:24: " + expected);
+  }
+}
