@@ -6,6 +6,7 @@ import static arguments.Arguments.notNull;
 import static arguments.Arguments.wrong;
 
 import java.awt.Color;
+import java.util.List;
 
 import javax.vecmath.AxisAngle4d;
 import javax.vecmath.Matrix3d;
@@ -30,6 +31,9 @@ public class AffineTransformation extends Object3D {
   private static final Vector3f NO_SHIFT = new Vector3f();
 
   private final Object3D object;
+  private final Vector3f scale;
+  private final Vector3f axis;
+  private final float theta;
   private final Matrix3d toScene;
   private final Matrix3d toObject;
   private final double shiftX;
@@ -53,10 +57,13 @@ public class AffineTransformation extends Object3D {
     this.shiftX = finite("d", d).x;
     this.shiftY = d.y;
     this.shiftZ = d.z;
+    this.theta = theta;
     final Matrix3d rotation = rotation(direction("axis", axis), finite("theta", theta));
     this.toScene = product(rotation, factors(s));
     rotation.transpose();
     this.toObject = product(new Matrix3d(1.0 / s.x, 0, 0, 0, 1.0 / s.y, 0, 0, 0, 1.0 / s.z), rotation);
+    this.scale = new Vector3f(s);
+    this.axis = new Vector3f(axis);
   }
 
   /**
@@ -195,6 +202,31 @@ public class AffineTransformation extends Object3D {
     return toObject.m20 * x + toObject.m21 * y + toObject.m22 * z;
   }
 
+  /**
+   * The ray in the frame of the object that is transformed.
+   *
+   * @param ray a ray of the scene
+   * @return the ray, its direction of unit length there; {@link Ray#NORAY} if it is none
+   * @throws IllegalArgumentException if the ray is null
+   */
+  public Ray rayToObject(final Ray ray) {
+    return notNull("ray", ray) == Ray.NORAY ? Ray.NORAY : toObject(ray);
+  }
+
+  /**
+   * What a hit in the frame of the object is in the scene: distance, point and normal.
+   *
+   * @param ray the ray of the scene whose {@link #rayToObject} was hit
+   * @param hit the hit there
+   * @return the hit in the scene; {@link Hit#NOHIT} if it is none
+   * @throws IllegalArgumentException if an argument is null
+   */
+  public Hit hitToScene(final Ray ray, final Hit hit) {
+    notNull("ray", ray);
+    return notNull("hit", hit).hits()
+        ? inScene(hit, hit.getT() / stretch(ray.directionX(), ray.directionY(), ray.directionZ())) : Hit.NOHIT;
+  }
+
   private Ray toObject(final Ray ray) {
     final double dx = ray.directionX(), dy = ray.directionY(), dz = ray.directionZ(), k = stretch(dx, dy, dz);
     final double px = ray.startX() - shiftX, py = ray.startY() - shiftY, pz = ray.startZ() - shiftZ;
@@ -274,9 +306,24 @@ public class AffineTransformation extends Object3D {
         Math.abs(toScene.m20) * hx + Math.abs(toScene.m21) * hy + Math.abs(toScene.m22) * hz);
   }
 
-  /** The object that is transformed. */
-  Object3D object() {
+  /**
+   * The object that is transformed.
+   *
+   * @return the object, in a frame of its own
+   */
+  public Object3D getObject() {
     return object;
+  }
+
+  @Override
+  int cost(final Ray ray) {
+    return object.cost(toObject(ray));
+  }
+
+  @Override
+  public List<Object> constructorArguments() {
+    return List.of(new Vector3f(scale), new Vector3f(axis), theta,
+        new Vector3f((float) shiftX, (float) shiftY, (float) shiftZ), object);
   }
 
   @Override

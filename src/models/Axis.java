@@ -40,6 +40,14 @@ final class Axis {
     return Math.sqrt((double) v.x * v.x + (double) v.y * v.y + (double) v.z * v.z);
   }
 
+  Point3D point() {
+    return new Point3D((float) x, (float) y, (float) z);
+  }
+
+  Vector3D unit() {
+    return new Vector3D((float) ux, (float) uy, (float) uz);
+  }
+
   /** Component along the axis of a vector. */
   double along(final double vx, final double vy, final double vz) {
     return vx * ux + vy * uy + vz * uz;

@@ -3,6 +3,7 @@ package models;
 import static arguments.Arguments.positive;
 
 import java.awt.Color;
+import java.util.List;
 
 import primitives.BoundingBox;
 import primitives.Point3D;
@@ -94,6 +95,11 @@ public class Box extends Object3D {
   @Override
   public BoundingBox getBoundingBox() {
     return frame.boxAround(halfW, halfH, halfD);
+  }
+
+  @Override
+  public List<Object> constructorArguments() {
+    return List.of(frame.origin(), frame.i(), frame.j(), (float) (2 * halfW), (float) (2 * halfH), (float) (2 * halfD), getColor());
   }
 
   @Override

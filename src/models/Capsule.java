@@ -3,6 +3,7 @@ package models;
 import static arguments.Arguments.positive;
 
 import java.awt.Color;
+import java.util.List;
 
 import primitives.BoundingBox;
 import primitives.Point3D;
@@ -85,6 +86,11 @@ public class Capsule extends Object3D {
   @Override
   public BoundingBox getBoundingBox() {
     return axis.boxAroundBall(half, r);
+  }
+
+  @Override
+  public List<Object> constructorArguments() {
+    return List.of(axis.point(), axis.unit(), (float) r, (float) (2 * half), getColor());
   }
 
   @Override

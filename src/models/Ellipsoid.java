@@ -4,6 +4,7 @@ import static arguments.Arguments.notNull;
 import static arguments.Arguments.positive;
 
 import java.awt.Color;
+import java.util.List;
 
 import primitives.BoundingBox;
 import primitives.Point3D;
@@ -185,6 +186,11 @@ public class Ellipsoid extends ProceduralObject3D {
 
   private static double length(final double a, final double b, final double c) {
     return Math.sqrt(a * a + b * b + c * c);
+  }
+
+  @Override
+  public List<Object> constructorArguments() {
+    return List.of(frame.origin(), frame.i(), frame.j(), (float) Rx, (float) Ry, (float) Rz, getColor());
   }
 
   @Override

@@ -50,6 +50,18 @@ final class Frame {
     jz = kx * iy - ky * ix;
   }
 
+  Point3D origin() {
+    return new Point3D((float) x, (float) y, (float) z);
+  }
+
+  Vector3D i() {
+    return new Vector3D((float) ix, (float) iy, (float) iz);
+  }
+
+  Vector3D j() {
+    return new Vector3D((float) jx, (float) jy, (float) jz);
+  }
+
   /** First coordinate of a direction, or of a point less the origin. */
   double alongI(final double vx, final double vy, final double vz) {
     return vx * ix + vy * iy + vz * iz;

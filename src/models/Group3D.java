@@ -85,13 +85,17 @@ public class Group3D extends Object3D {
   /** The objects of a group, the one of a transformation, none of any other. */
   static List<Object3D> partsOf(final Object3D object) {
     if (object instanceof Group3D) {
-      return ((Group3D) object).objects();
+      return ((Group3D) object).getObjects();
     }
-    return object instanceof AffineTransformation ? List.of(((AffineTransformation) object).object()) : List.of();
+    return object instanceof AffineTransformation ? List.of(((AffineTransformation) object).getObject()) : List.of();
   }
 
-  /** The objects, in the order in which they were added. */
-  List<Object3D> objects() {
+  /**
+   * The objects of the group, in the order in which they were added.
+   *
+   * @return a list of its own, which does not change
+   */
+  public List<Object3D> getObjects() {
     synchronized (objects) {
       return List.copyOf(objects);
     }
@@ -137,12 +141,17 @@ public class Group3D extends Object3D {
   }
 
   @Override
+  int cost(final Ray ray) {
+    return members().cost(ray);
+  }
+
+  @Override
   public BoundingBox getBoundingBox() {
     return members().box();
   }
 
   @Override
   public String toString() {
-    return "Group3D(" + objects().size() + " objects)";
+    return "Group3D(" + getObjects().size() + " objects)";
   }
 }

@@ -161,6 +161,25 @@ final class GroupMembers {
     return closest.hit();
   }
 
+  /** What the same question costs: the objects are asked in the same way, and each tells its cost. */
+  int cost(final Ray ray) {
+    final ClosestHit closest = new ClosestHit(ray);
+    final int[] cost = new int[1];
+    for (int i = 0; i < unbounded; i++) {
+      closest.ask(objects[i], order[i]);
+      cost[0] += objects[i].cost(ray);
+    }
+    tree.closest(ray.startX(), ray.startY(), ray.startZ(), ray.directionX(), ray.directionY(), ray.directionZ(),
+        (first, end) -> {
+          for (int i = unbounded + first; i < unbounded + end; i++) {
+            closest.ask(objects[i], order[i]);
+            cost[0] += objects[i].cost(ray);
+          }
+          return closest.farthest();
+        });
+    return cost[0];
+  }
+
   void closestHits(final RayTile rays, final TileHits hits) {
     for (int i = 0; i < unbounded; i++) {
       rays.lookEverywhere();

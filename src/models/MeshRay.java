@@ -12,9 +12,25 @@ final class MeshRay implements Bvh.Leaves {
   private int facet = -1;
 
   MeshRay(final Ray ray, final MeshTree mesh) {
+    this(mesh, ray);
+    mesh.closest(ray, this);
+  }
+
+  /** A question that is not asked yet. */
+  private MeshRay(final MeshTree mesh, final Ray ray) {
     this.ray = ray;
     this.mesh = mesh;
-    mesh.closest(ray, this);
+  }
+
+  /** Number of triangles that are tested for the answer. */
+  static int cost(final Ray ray, final MeshTree mesh) {
+    final MeshRay query = new MeshRay(mesh, ray);
+    final int[] cost = new int[1];
+    mesh.closest(ray, (first, end) -> {
+      cost[0] += end - first;
+      return query.visit(first, end);
+    });
+    return cost[0];
   }
 
   boolean hits() {

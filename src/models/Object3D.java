@@ -4,6 +4,7 @@ import static arguments.Arguments.notNull;
 import static arguments.Arguments.wrongState;
 
 import java.awt.Color;
+import java.util.List;
 
 import acceleration.RayTile;
 import primitives.BoundingBox;
@@ -76,6 +77,16 @@ public abstract class Object3D {
   public abstract Hit intersectionWith(Ray ray);
 
   /**
+   * What a constructor of its class makes the same object of: points, vectors, numbers, objects and the colour, in the order
+   * of the parameters. A class that answers this can have its hits written down as tests.
+   *
+   * @return the arguments; empty, as by default, if the object cannot tell
+   */
+  public List<Object> constructorArguments() {
+    return List.of();
+  }
+
+  /**
    * Distance at which a ray, given as six numbers so that nothing needs to be allocated, first meets the object.
    *
    * @return the smallest t &gt; 0; infinity if there is none, also for a ray of NaN; NaN from an object that has no
@@ -118,6 +129,11 @@ public abstract class Object3D {
   /** Colour of a part, as sRGB with alpha. */
   int argb(final int part) {
     return getColor().getRGB();
+  }
+
+  /** What a question costs, see {@link Cost}. */
+  int cost(final Ray ray) {
+    return 1;
   }
 
   /** What an object answers to a ray, where an object of somebody else's may answer null. */

@@ -4,6 +4,7 @@ import static arguments.Arguments.direction;
 import static arguments.Arguments.finite;
 
 import java.awt.Color;
+import java.util.List;
 
 import primitives.Point3D;
 import primitives.Vector3D;
@@ -59,6 +60,11 @@ public class Plane extends Object3D {
   Hit hitAt(final Ray ray, final double t, final int part) {
     return Hit.of(t, ray.startX() + t * ray.directionX(), ray.startY() + t * ray.directionY(),
         ray.startZ() + t * ray.directionZ(), nx, ny, nz, this);
+  }
+
+  @Override
+  public List<Object> constructorArguments() {
+    return List.of(new Point3D((float) x, (float) y, (float) z), new Vector3D((float) nx, (float) ny, (float) nz), getColor());
   }
 
   @Override

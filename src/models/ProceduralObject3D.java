@@ -146,7 +146,7 @@ abstract class ProceduralObject3D extends Object3D {
   }
 
   /** Where between two points of a ray, one on either side of the surface, the side changes: by bisection. */
-  private double crossing(final double before, final double after, final double side,
+  double crossing(final double before, final double after, final double side,
       final double x, final double y, final double z, final double dx, final double dy, final double dz) {
     double low = before, high = after;
     double middle = 0.5 * (low + high);
@@ -174,6 +174,11 @@ abstract class ProceduralObject3D extends Object3D {
         (signedDistance(east, y, z) - signedDistance(west, y, z)) / ((double) east - west),
         (signedDistance(x, north, z) - signedDistance(x, south, z)) / ((double) north - south),
         (signedDistance(x, y, high) - signedDistance(x, y, low)) / ((double) high - low), this);
+  }
+
+  @Override
+  int cost(final Ray ray) {
+    return March.along(ray, this).steps().size();
   }
 
   /** A distance rounded to the float next to it that does not exceed it. */

@@ -4,6 +4,7 @@ import static arguments.Arguments.finite;
 import static arguments.Arguments.positive;
 
 import java.awt.Color;
+import java.util.List;
 
 import primitives.BoundingBox;
 import primitives.Point3D;
@@ -70,6 +71,11 @@ public class Sphere extends Object3D {
   @Override
   public BoundingBox getBoundingBox() {
     return BoundingBox.around(x, y, z, r, r, r);
+  }
+
+  @Override
+  public List<Object> constructorArguments() {
+    return List.of(new Point3D((float) x, (float) y, (float) z), (float) r, getColor());
   }
 
   @Override

@@ -4,6 +4,7 @@ import static arguments.Arguments.finite;
 import static arguments.Arguments.wrong;
 
 import java.awt.Color;
+import java.util.List;
 
 import primitives.BoundingBox;
 import primitives.Point3D;
@@ -115,6 +116,11 @@ public class Triangle extends Object3D {
     return new BoundingBox(
         new Point3D(Math.min(ax, Math.min(bx, cx)), Math.min(ay, Math.min(by, cy)), Math.min(az, Math.min(bz, cz))),
         new Point3D(Math.max(ax, Math.max(bx, cx)), Math.max(ay, Math.max(by, cy)), Math.max(az, Math.max(bz, cz))));
+  }
+
+  @Override
+  public List<Object> constructorArguments() {
+    return List.of(new Point3D(ax, ay, az), new Point3D(bx, by, bz), new Point3D(cx, cy, cz), getColor());
   }
 
   @Override

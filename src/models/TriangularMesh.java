@@ -99,6 +99,11 @@ public class TriangularMesh extends Object3D {
   }
 
   @Override
+  int cost(final Ray ray) {
+    return MeshRay.cost(ray, tree);
+  }
+
+  @Override
   boolean answersTiles() {
     return true;
   }
