@@ -17,6 +17,10 @@ import tracer.Ray;
 public final class TileHits {
 
   private final RayTile rays;
+
+  /** Whether the rays are those of a transformed object's frame, whose directions are not rounded to floats. */
+  private final boolean isNested;
+
   private final double[] t = new double[RayTile.SIZE * RayTile.SIZE];
   /** The distances as floats, by which they are compared. */
   private final float[] compared = new float[RayTile.SIZE * RayTile.SIZE];
@@ -40,7 +44,12 @@ public final class TileHits {
    * @param rays the tile
    */
   public TileHits(final RayTile rays) {
+    this(rays, false);
+  }
+
+  private TileHits(final RayTile rays, final boolean nested) {
     this.rays = rays;
+    this.isNested = nested;
   }
 
   /** Forgets all hits, for the rays that the tile holds now. A pixel without a ray gets distance 0: nothing is closer. */
@@ -65,9 +74,16 @@ public final class TileHits {
   /** Offers what an object without parts answered for a ray; if that is NaN, the object is asked for the hit itself. */
   void offer(final int i, final double distance, final Object3D object) {
     if (Double.isNaN(distance)) {
-      offer(i, Object3D.askFor(object, ray(i)), object);
+      askFor(i, object);
     } else if (isCloser(i, distance, 0)) {
       take(i, distance, object, object, 0);
+    }
+  }
+
+  /** Asks an object for the hit of ray i, unless the pixel has none. */
+  private void askFor(final int i, final Object3D object) {
+    if (rays.isPresent(i)) {
+      offer(i, Object3D.askFor(object, ray(i)), object);
     }
   }
 
@@ -168,7 +184,9 @@ public final class TileHits {
    * @return the ray, made anew
    */
   public Ray ray(final int i) {
-    return Ray.along(rays.startX(i), rays.startY(i), rays.startZ(i), rays.vx(i), rays.vy(i), rays.vz(i));
+    return isNested ? Ray.exactly(rays.startX(i), rays.startY(i), rays.startZ(i),
+        rays.directionX(i), rays.directionY(i), rays.directionZ(i))
+        : Ray.along(rays.startX(i), rays.startY(i), rays.startZ(i), rays.vx(i), rays.vy(i), rays.vz(i));
   }
 
   /**
@@ -191,7 +209,7 @@ public final class TileHits {
   /** Rays and hits for the frame of a transformed object, made once. */
   TileHits nested() {
     if (nested == null) {
-      nested = new TileHits(new RayTile());
+      nested = new TileHits(new RayTile(), true);
     }
     return nested;
   }
