@@ -93,9 +93,12 @@ public class TriangularMesh extends Object3D {
     return query.hits() ? hitAt(ray, query.distance(), query.facet()) : Hit.NOHIT;
   }
 
+  /** Computes the distance once more: in a transformed mesh the given one was rounded on its way through the scene. */
   @Override
   Hit hitAt(final Ray ray, final double t, final int part) {
-    return triangle(part).hitAt(ray, t, 0);
+    final Triangle triangle = triangle(part);
+    return triangle.hitAt(ray, triangle.distance(ray.startX(), ray.startY(), ray.startZ(),
+        ray.directionX(), ray.directionY(), ray.directionZ()), 0);
   }
 
   @Override
