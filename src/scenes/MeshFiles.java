@@ -84,6 +84,11 @@ final class MeshFiles {
     return model;
   }
 
+  /** The files of the meshes found so far. */
+  Set<Path> paths() {
+    return Set.copyOf(models.keySet());
+  }
+
   /** The file of a name; null, and told with all places where it was looked for, if there is none. */
   Path existing(final String name, final int offset, final String message) {
     try {

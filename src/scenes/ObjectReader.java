@@ -1,6 +1,7 @@
 package scenes;
 
 import java.awt.Color;
+import java.util.Map;
 import java.util.Set;
 
 import models.Group3D;
@@ -28,8 +29,8 @@ final class ObjectReader {
     this.colours = new Colours(values);
   }
 
-  /** Adds the object of an element to a group, unless something is wrong with it. */
-  void read(final Element object, final Group3D group) {
+  /** Adds the object of an element to a group, and the id of its model to the names, unless something is wrong with it. */
+  void read(final Element object, final Group3D group, final Map<Object3D, String> names) {
     final Model model = model(object);
     final Color colour = illumination ? materialColour(object) : plainColour(object);
     final Placement placement = placements.read(object);
@@ -40,6 +41,7 @@ final class ObjectReader {
       final Object3D placed = model.placed(placement, colour);
       if (placed != null) {
         group.addObject(placed);
+        names.put(placed, values.name(object, "modelId"));
       }
     } catch (final IllegalArgumentException notBuilt) {
       values.problems().error(object.offset(), "notBuilt", notBuilt.getMessage());

@@ -1,8 +1,12 @@
 package scenes;
 
 import java.awt.Color;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Set;
 
 import models.Group3D;
+import models.Object3D;
 import view.Camera;
 
 /**
@@ -15,7 +19,9 @@ import view.Camera;
  * @param facing whether surfaces are shaded by their angle to the ray; if not, they show their plain colour
  * @param camera the camera, with its projection
  * @param objects what there is to see
+ * @param names the id of the model that each of the objects shows; objects are told apart by identity
+ * @param meshes the files of its meshes
  */
 public record Scene(String name, int width, int height, Color background, boolean facing, Camera camera,
-    Group3D objects) {
+    Group3D objects, Map<Object3D, String> names, Set<Path> meshes) {
 }

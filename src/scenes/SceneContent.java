@@ -3,27 +3,32 @@ package scenes;
 import java.awt.Color;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 
 import models.Group3D;
+import models.Object3D;
 import view.Camera;
 import view.Projection;
 
 /** Reads the element {@code image} of a scene file: section by section, in no order of theirs. */
 final class SceneContent {
 
-  private final Path file;
   private final Element image;
   private final Vocabulary vocabulary;
   private final Values values;
   private final Problems problems;
+  private final Map<Object3D, String> names = new IdentityHashMap<>();
+  private final MeshFiles files;
 
   SceneContent(final Path file, final Element image, final Vocabulary vocabulary, final Values values) {
-    this.file = file;
     this.image = image;
     this.vocabulary = vocabulary;
     this.values = values;
     this.problems = values.problems();
+    this.files = new MeshFiles(file, problems);
   }
 
   /** The scene; it is sound only if no error was told. */
@@ -42,7 +47,8 @@ final class SceneContent {
     final Camera camera = camera(W, H);
     final Group3D objects = objects(illumination);
     final Element.Attribute name = image.attribute("name");
-    return new Scene(name == null ? "" : name.value(), W, H, background, illumination || falseLighting, camera, objects);
+    return new Scene(name == null ? "" : name.value(), W, H, background, illumination || falseLighting, camera, objects,
+        Collections.unmodifiableMap(names), files.paths());
   }
 
   private Element section(final String name) {
@@ -86,7 +92,6 @@ final class SceneContent {
         materials.read(material);
       }
     }
-    final MeshFiles files = new MeshFiles(file, problems);
     final ModelReader models = new ModelReader(values, vocabulary.types("model"), files);
     for (final Element model : inBlocks("models", "model")) {
       models.read(model);
@@ -96,7 +101,7 @@ final class SceneContent {
     if (scene != null) {
       final ObjectReader objects = new ObjectReader(values, illumination, models, materials, files);
       for (final Element object : scene.findAll("object")) {
-        objects.read(object, group);
+        objects.read(object, group, names);
       }
     }
     return group;

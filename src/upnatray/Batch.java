@@ -74,21 +74,24 @@ final class Batch {
 
   private void render(final Path file, final Scene scene, final Path target) throws FailedException {
     final int[] size = options.size(scene.width(), scene.height());
-    final Rendition rendition = new Rendition(image(file, scene, size[0], size[1]), file, target, interruption);
-    final Rendering plain = Rendering.STANDARD.withShading(scene.facing() ? Shading.FACING : Shading.PLAIN);
-    final Rendering rendering = options.threads() > 0 ? plain.withThreads(options.threads()) : plain;
-    if (rendition.render(scene, rendering) && !interruption.requested()) {
+    final RenderJob job = job(file, scene, size[0], size[1]);
+    final Rendition rendition = new Rendition(job, file, target, interruption);
+    if (rendition.render() && !interruption.requested()) {
       interruption.save(rendition.image(), target);
       out.println(file + " -> " + target);
+      job.scale().ifPresent(scale -> out.println(scale.isDepth()
+          ? Messages.text("depthScale", (float) scale.least(), (float) scale.greatest())
+          : Messages.text("costScale", (long) scale.greatest())));
     }
   }
 
-  /** The image of a scene; told in bytes if it cannot be held. */
-  private static Image image(final Path file, final Scene scene, final int W, final int H) throws FailedException {
+  /** The job of rendering a scene; told in bytes if its image cannot be held. */
+  private RenderJob job(final Path file, final Scene scene, final int W, final int H) throws FailedException {
     final long pixels = (long) W * H;
     final long megabytes = (pixels * Integer.BYTES >> 20) + 1;
     try {
-      return new Image(W, H, scene.background());
+      return new RenderJob(scene, options.view(), W, H, options.threads() > 0 ? options.threads()
+          : Runtime.getRuntime().availableProcessors());
     } catch (final IllegalArgumentException tooLarge) {
       throw new FailedException("imageTooLarge", file, tooLarge.getMessage(), tooLarge);
     } catch (final OutOfMemoryError full) {

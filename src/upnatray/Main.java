@@ -4,6 +4,7 @@ import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * The command line: renders scene files to PNG files. {@code --help} tells the rest.
@@ -45,6 +46,16 @@ public final class Main {
         return 0;
       }
       final List<Path> scenes = options.scenes().isEmpty() ? List.of(defaultScene()) : options.scenes();
+      if (options.windowIfPossible()) {
+        final Optional<Viewer> viewer = Viewer.available();
+        if (viewer.isPresent()) {
+          viewer.get().show(options.request(scenes.get(0)));
+          return 0;
+        }
+        if (options.window()) {
+          throw new UsageException("noDisplay");
+        }
+      }
       return new Batch(options, System.out, System.err).run(scenes);
     } catch (final UsageException wrong) {
       System.err.println("UPNaTRay: " + wrong.getMessage());

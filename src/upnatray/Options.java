@@ -6,6 +6,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.StringJoiner;
 
 /**
  * What a command line asks for. (A library for command lines was tried: it costs more time to load than a small picture
@@ -18,6 +19,9 @@ final class Options {
   private int width;
   private int height;
   private int threads;
+  private View view = View.COLOUR;
+  private boolean window;
+  private boolean noWindow;
   private boolean check;
   private boolean help;
   private boolean version;
@@ -66,6 +70,7 @@ final class Options {
       case "-o", "--output" -> output = value(name, value);
       case "--width" -> width = count(name, value);
       case "--height" -> height = count(name, value);
+      case "--view" -> view = view(value(name, value));
       case "--threads" -> threads = count(name, value);
       default -> throw new UsageException("unknownOption", arg);
     }
@@ -77,13 +82,21 @@ final class Options {
       case "--check" -> check = true;
       case "-h", "--help" -> help = true;
       case "--version" -> version = true;
-      // Pictures are not shown yet: a command that says so goes on working when they are.
-      case "--no-window" -> { }
+      case "--window" -> window = true;
+      case "--no-window" -> noWindow = true;
       default -> {
         return false;
       }
     }
     return true;
+  }
+
+  private static View view(final String name) throws UsageException {
+    final StringJoiner names = new StringJoiner(", ");
+    for (final View view : View.values()) {
+      names.add(view.option());
+    }
+    return View.named(name).orElseThrow(() -> new UsageException("unknownView", name, names));
   }
 
   private static String value(final String name, final String value) throws UsageException {
@@ -150,9 +163,34 @@ final class Options {
     return (int) Math.max(1, Math.min(Integer.MAX_VALUE, Math.round((double) size * wanted / other)));
   }
 
+  /** What a window is to show of a scene. */
+  Viewer.Request request(final Path scene) {
+    return new Viewer.Request(scene, view, width, height, threads);
+  }
+
   /** Number of threads; 0 if none is asked for. */
   int threads() {
     return threads;
+  }
+
+  View view() {
+    return view;
+  }
+
+  /** Whether a window must be there. */
+  boolean window() {
+    return window;
+  }
+
+  /** Whether a window is wanted if there is a display: for one scene whose picture is not asked for as a file. */
+  boolean windowIfPossible() {
+    return window || !noWindow && !check && output == null && scenes.size() <= 1 && hasDisplay();
+  }
+
+  /** A first look that loads nothing of what a window needs. Only a system with X or Wayland tells it in this way. */
+  private static boolean hasDisplay() {
+    return !Boolean.getBoolean("java.awt.headless") && (File.separatorChar == '\\'
+        || System.getProperty("os.name").startsWith("Mac") || System.getenv("DISPLAY") != null);
   }
 
   boolean check() {

@@ -4,11 +4,10 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Arrays;
 
-import scenes.Scene;
-
 /** The rendering of one scene: knows which parts of its image are done, shows that on a terminal, and can be stopped. */
 final class Rendition implements Progress {
 
+  private final RenderJob job;
   private final Image image;
   private final Path target;
   private final Interruption interruption;
@@ -17,8 +16,9 @@ final class Rendition implements Progress {
   private int[] done = new int[4096];
   private int end;
 
-  Rendition(final Image image, final Path scene, final Path target, final Interruption interruption) {
-    this.image = image;
+  Rendition(final RenderJob job, final Path scene, final Path target, final Interruption interruption) {
+    this.job = job;
+    this.image = job.image();
     this.target = target;
     this.interruption = interruption;
     this.line = new ProgressLine(scene.toString(), (long) image.getWidth() * image.getHeight());
@@ -34,10 +34,10 @@ final class Rendition implements Progress {
   }
 
   /** Computes the image; answers false if that was interrupted. */
-  boolean render(final Scene scene, final Rendering rendering) {
+  boolean render() {
     interruption.rendering(this);
     try {
-      return image.synthesis(scene.objects(), scene.camera(), rendering.withProgress(this));
+      return job.run(this);
     } finally {
       line.clear();
       interruption.rendered();
