@@ -1,0 +1,241 @@
+package upnatray;
+
+import static arguments.Arguments.notNull;
+import static arguments.Arguments.positive;
+
+import java.awt.Color;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
+
+import models.Group3D;
+import models.Object3D;
+import scenes.Scene;
+
+/**
+ * The rendering of one picture of a scene, which can be watched and cancelled from any thread. It is run once, by the thread
+ * that calls {@link #run}; the command line and the window both render by it.
+ */
+public final class RenderJob {
+
+  private static final Color NOTHING = new Color(0, 0, 0, 0);
+
+  private final Scene scene;
+  private final View view;
+  private final int threads;
+  private final Image image;
+  /** For a view of numbers: their bits as floats, 0 where there is none. */
+  private final Image numbers;
+  private final AtomicLong done = new AtomicLong();
+  private volatile boolean cancelled;
+  private volatile long begin;
+  private volatile long end;
+  private double least = Double.POSITIVE_INFINITY;
+  private double greatest;
+
+  /**
+   * A picture to be rendered.
+   *
+   * @param scene the scene, which must not change meanwhile
+   * @param view what the picture is to show
+   * @param W its width in pixels, at least 1
+   * @param H its height in pixels, at least 1
+   * @param threads number of threads, at least 1
+   * @throws IllegalArgumentException if an argument is null or less than 1, or if the picture is too large
+   */
+  public RenderJob(final Scene scene, final View view, final int W, final int H, final int threads) {
+    this.scene = notNull("scene", scene);
+    this.view = notNull("view", view);
+    this.threads = positive("threads", threads);
+    this.image = new Image(W, H, view == View.COLOUR ? scene.background() : NOTHING);
+    this.numbers = hasScale() ? new Image(W, H, NOTHING) : null;
+  }
+
+  private boolean hasScale() {
+    return view == View.DEPTH || view == View.COST;
+  }
+
+  /**
+   * Renders the picture.
+   *
+   * @param watcher is told of each tile when it can be seen, and may end the rendering
+   * @return whether all of it was rendered; false if it was cancelled
+   * @throws IllegalArgumentException if the watcher is null
+   */
+  public boolean run(final Progress watcher) {
+    notNull("watcher", watcher);
+    begin = System.nanoTime();
+    final Progress progress = (x, y, width, height) -> {
+      if (numbers != null) {
+        paint(x, y, width, height);
+      }
+      done.addAndGet((long) width * height);
+      return watcher.tileDone(x, y, width, height) && !cancelled;
+    };
+    try {
+      final Rendering rendering = new Rendering(threads, shading(), progress);
+      final boolean completed = (numbers == null ? image : numbers).synthesis(objects(), scene.camera(), rendering);
+      if (completed && numbers != null) {
+        paint(0, 0, image.getWidth(), image.getHeight());
+      }
+      return completed;
+    } finally {
+      end = System.nanoTime();
+    }
+  }
+
+  private Shading shading() {
+    return switch (view) {
+      case COLOUR -> shading(scene);
+      case NORMALS -> (ray, hit) -> 0xff << 24 | channel(hit.normalX()) << 16 | channel(hit.normalY()) << 8
+          | channel(hit.normalZ());
+      case OBJECT -> Shading.PLAIN;
+      case DEPTH, COST -> (ray, hit) -> Float.floatToRawIntBits(hit.getT());
+    };
+  }
+
+  /**
+   * How the colours of a scene come about.
+   *
+   * @param scene the scene
+   * @return its shading
+   */
+  public static Shading shading(final Scene scene) {
+    return scene.facing() ? Shading.FACING : Shading.PLAIN;
+  }
+
+  private static int channel(final double component) {
+    return (int) (127.5 * (1 + component) + 0.5);
+  }
+
+  /** What is rendered: the objects of the scene, or what stands for them. */
+  private Group3D objects() {
+    if (view != View.OBJECT && view != View.COST) {
+      return scene.objects();
+    }
+    final Group3D others = new Group3D();
+    if (view == View.COST) {
+      others.addObject(new CostField(scene.objects()));
+    } else {
+      tag(scene.objects(), others);
+    }
+    return others;
+  }
+
+  private static void tag(final Group3D group, final Group3D tagged) {
+    for (final Object3D object : group.getObjects()) {
+      if (object instanceof Group3D part) {
+        tag(part, tagged);
+      } else {
+        tagged.addObject(new TaggedObject(object, tagged.getObjects().size()));
+      }
+    }
+  }
+
+  /** Makes colours of the numbers of a part of the picture, on the scale of those known so far. */
+  private void paint(final int x, final int y, final int width, final int height) {
+    final int[] bits = numbers.getRGB(x, y, width, height, null, 0, width);
+    final ColourScale scale = widened(bits);
+    for (int i = 0; i < bits.length; i++) {
+      bits[i] = bits[i] == 0 ? 0 : scale.argb(number(bits[i]));
+    }
+    image.setRGB(x, y, width, height, bits, 0, width);
+  }
+
+  private synchronized ColourScale widened(final int[] bits) {
+    for (final int bit : bits) {
+      if (bit != 0) {
+        least = Math.min(least, number(bit));
+        greatest = Math.max(greatest, number(bit));
+      }
+    }
+    return view == View.COST ? ColourScale.ofCost(greatest) : ColourScale.ofDepth(least, greatest);
+  }
+
+  private double number(final int bits) {
+    final float number = Float.intBitsToFloat(bits);
+    return view == View.COST ? number - 1 : number;
+  }
+
+  /** Ends the rendering after the tiles that are being computed. May be called at any time, before the run too. */
+  public void cancel() {
+    cancelled = true;
+  }
+
+  /**
+   * The picture, which fills while the job runs.
+   *
+   * @return the image, always the same
+   */
+  public Image image() {
+    return image;
+  }
+
+  /**
+   * What the picture shows.
+   *
+   * @return the view
+   */
+  public View view() {
+    return view;
+  }
+
+  /**
+   * The scene.
+   *
+   * @return the scene
+   */
+  public Scene scene() {
+    return scene;
+  }
+
+  /**
+   * The scale of a view of numbers, as far as it is known.
+   *
+   * @return the scale; empty for the other views, and if there is no number
+   */
+  public synchronized Optional<ColourScale> scale() {
+    if (!hasScale() || least > greatest) {
+      return Optional.empty();
+    }
+    return Optional.of(view == View.COST ? ColourScale.ofCost(greatest) : ColourScale.ofDepth(least, greatest));
+  }
+
+  /**
+   * How much is done.
+   *
+   * @return 0 … 1
+   */
+  public double share() {
+    return done.get() / ((double) image.getWidth() * image.getHeight());
+  }
+
+  /**
+   * Time since the begin of the run, or its whole time once it has ended.
+   *
+   * @return seconds; 0 before it begins
+   */
+  public double seconds() {
+    final long until = end == 0 ? System.nanoTime() : end;
+    return begin == 0 ? 0 : (until - begin) * 1e-9;
+  }
+
+  /**
+   * Speed so far: each pixel is a ray.
+   *
+   * @return rays per second; 0 before the run begins
+   */
+  public double raysPerSecond() {
+    final double seconds = seconds();
+    return seconds > 0 ? done.get() / seconds : 0;
+  }
+
+  /**
+   * Time that the rest will take, if it takes as long as what is done.
+   *
+   * @return seconds; infinity before anything is done
+   */
+  public double secondsLeft() {
+    final double share = share();
+    return share > 0 ? seconds() * (1 - share) / share : Double.POSITIVE_INFINITY;
+  }
+}
