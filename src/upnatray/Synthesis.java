@@ -24,6 +24,8 @@ final class Synthesis {
   private final int H;
   private final int across;
   private final int tiles;
+  /** In which order the tiles are computed; null for the order of their numbers, if nobody watches. */
+  private final int[] order;
   private final AtomicInteger next = new AtomicInteger();
   private final AtomicReference<Throwable> failure = new AtomicReference<>();
   private volatile boolean stopped;
@@ -39,6 +41,7 @@ final class Synthesis {
     this.H = generator.getHeight();
     this.across = (W + RayTile.SIZE - 1) / RayTile.SIZE;
     this.tiles = Math.multiplyExact(across, (H + RayTile.SIZE - 1) / RayTile.SIZE);
+    this.order = rendering.progress() == Progress.NONE ? null : TileOrder.centreOutwards(across, tiles / across);
   }
 
   /** Computes all pixels, by the calling thread and others; answers whether it came to the end. */
@@ -65,7 +68,8 @@ final class Synthesis {
     try {
       final RayTile rays = new RayTile();
       final TileHits hits = new TileHits(rays);
-      for (int tile = next.getAndIncrement(); tile < tiles && !stopped; tile = next.getAndIncrement()) {
+      for (int i = next.getAndIncrement(); i < tiles && !stopped; i = next.getAndIncrement()) {
+        final int tile = order == null ? i : order[i];
         compute(tile % across * RayTile.SIZE, tile / across * RayTile.SIZE, rays, hits);
       }
     } catch (Throwable e) {
