@@ -18,7 +18,7 @@ public final class Bvh {
   private static final double FAR = 1 + 0x1p-49;
 
   /** The tree of nothing. */
-  static final Bvh EMPTY = new Bvh(new float[6], new float[0], new int[0], -1, 0);
+  static final Bvh EMPTY = new Bvh(0, new float[6], new float[0], new int[0], -1, 0);
 
   /** Whoever owns the things of a tree. */
   public interface Leaves {
@@ -33,14 +33,16 @@ public final class Bvh {
     double visit(int first, int end);
   }
 
+  private final int size;
   private final float[] whole;
   private final float[] boxes;
   private final int[] links;
   private final int root;
   private final int depth;
 
-  /** A tree of finished nodes within a whole box; see the class comment for the arrays. */
-  Bvh(final float[] whole, final float[] boxes, final int[] links, final int root, final int depth) {
+  /** A tree of so many things and finished nodes within a whole box; see the class comment for the arrays. */
+  Bvh(final int size, final float[] whole, final float[] boxes, final int[] links, final int root, final int depth) {
+    this.size = size;
     this.whole = whole;
     this.boxes = boxes;
     this.links = links;
@@ -65,7 +67,7 @@ public final class Bvh {
   }
 
   /**
-   * Visits the leaves that one ray may meet, the nearer child of a node first.
+   * Visits the leaves that one ray may meet, the nearer child of a node first; none for a ray of NaN.
    *
    * @param x first coordinate of the start
    * @param y second coordinate of the start
@@ -77,7 +79,7 @@ public final class Bvh {
    */
   public void closest(final double x, final double y, final double z, final double dx, final double dy, final double dz,
       final Leaves leaves) {
-    if (isEmpty()) {
+    if (isEmpty() || Double.isNaN(x + y + z + dx + dy + dz)) {
       return;
     }
     final double ix = 1 / dx, iy = 1 / dy, iz = 1 / dz;
@@ -137,7 +139,10 @@ public final class Bvh {
     if (isEmpty()) {
       return;
     }
-    frustum.prepare(whole);
+    if (!frustum.prepare(whole)) {
+      leaves.visit(0, size);
+      return;
+    }
     final int[] stack = new int[depth + 1];
     int top = 0, node = root;
     float farthest = Float.POSITIVE_INFINITY;

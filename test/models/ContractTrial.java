@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 
+import primitives.Point3D;
 import primitives.Vector3D;
 import tracer.Hit;
 import tracer.Ray;
@@ -24,23 +25,32 @@ final class ContractTrial {
   };
 
   private final Object3DContract contract;
+  private final Object3D shape;
   private final RandomNumbers numbers;
   private final ContractRays rays;
+  private final Point3D centre;
   private final double size;
 
   ContractTrial(final Object3DContract contract, final String law) {
     this.contract = contract;
+    shape = contract.shape(Placement.MODEL);
     numbers = new RandomNumbers(law);
     size = contract.size();
-    rays = new ContractRays(numbers, contract.centre(), size);
+    centre = contract.centre();
+    rays = new ContractRays(numbers, centre, size);
+  }
+
+  /** The shape that is asked, in its model frame. */
+  Object3D shape() {
+    return shape;
+  }
+
+  double size() {
+    return size;
   }
 
   /** Tries all rays. */
   void all(final BiConsumer<Ray, Hit> law) {
-    all(contract.shape(Placement.MODEL), law);
-  }
-
-  void all(final Object3D shape, final BiConsumer<Ray, Hit> law) {
     int hits = 0;
     for (int i = 0; i < RAYS; i++) {
       final Ray ray = rays.next();
@@ -57,7 +67,7 @@ final class ContractTrial {
     try {
       law.accept(ray, hit);
     } catch (AssertionError e) {
-      throw new AssertionError(e.getMessage() + "; " + contract.shape(Placement.MODEL) + ", " + ray + ", " + hit + ", "
+      throw new AssertionError(e.getMessage() + "; " + shape + ", " + ray + ", " + hit + ", "
           + numbers, e);
     }
   }
@@ -96,8 +106,7 @@ final class ContractTrial {
 
   /** A distance beyond which a ray has left the shape behind. */
   double beyond(final Ray ray) {
-    final double x = ray.startX() - contract.centre().x, y = ray.startY() - contract.centre().y,
-        z = ray.startZ() - contract.centre().z;
+    final double x = ray.startX() - centre.x, y = ray.startY() - centre.y, z = ray.startZ() - centre.z;
     return Math.sqrt(x * x + y * y + z * z) + 2 * size;
   }
 
@@ -142,7 +151,6 @@ final class ContractTrial {
 
   /** Whether all rays close to one hit the same face as it does, or miss as it does: then rounding cannot matter. */
   boolean isSound(final Ray ray, final Hit hit) {
-    final Object3D shape = contract.shape(Placement.MODEL);
     for (int i = 0; i < 6; i++) {
       final double step = (i % 2 == 0 ? 1e-3 : -1e-3) * size;
       final Hit close = shape.intersectionWith(Ray.exactly(ray.startX() + (i < 2 ? step : 0),

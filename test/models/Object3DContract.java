@@ -111,7 +111,7 @@ public interface Object3DContract {
   default void hitsLieOnTheRayAndOnTheSurface() {
     final ContractTrial trial = new ContractTrial(this, "on ray and surface");
     trial.hits((ray, hit) -> {
-      final double t = hit.getT(), scale = size() + t + largest(ray.startX(), ray.startY(), ray.startZ());
+      final double t = hit.getT(), scale = trial.size() + t + largest(ray.startX(), ray.startY(), ray.startZ());
       final double tolerance = accuracy() * scale + 0x1p-23 * t;
       assertTrue(t > 0 && t < Float.POSITIVE_INFINITY);
       assertEquals(ray.startX() + t * ray.directionX(), hit.pointX(), tolerance);
@@ -146,14 +146,14 @@ public interface Object3DContract {
   default void theHitIsTheFirst() {
     final ContractTrial trial = new ContractTrial(this, "first hit");
     trial.hits((ray, hit) -> {
-      final double t = hit.getT(), tolerance = 100 * accuracy() * (size() + t) + 0x1p-22 * t;
+      final double t = hit.getT(), tolerance = 100 * accuracy() * (trial.size() + t) + 0x1p-22 * t;
       if (isClosed()) {
         trial.assertOneSide(ray, t - tolerance);
       }
       for (int i = 1; i < 8; i++) {
         final double ahead = t * i / 8;
         if (t - ahead > tolerance) {
-          final Hit later = shape(Placement.MODEL).intersectionWith(ContractTrial.ahead(ray, ahead));
+          final Hit later = trial.shape().intersectionWith(ContractTrial.ahead(ray, ahead));
           assertEquals(t - ahead, later.getT(), tolerance);
         }
       }
@@ -217,18 +217,18 @@ public interface Object3DContract {
   /** In a group, also with others farther away, the shape answers as it does alone. */
   @Test
   default void aGroupAnswersAsTheShapeDoes() {
-    final Object3D shape = shape(Placement.MODEL);
+    final ContractTrial trial = new ContractTrial(this, "group");
     final Group3D group = new Group3D(), outer = new Group3D();
     for (int i = 0; i < 9; i++) {
       final Point3D far = centre();
       far.x += (float) (1e9 * size() * (i - 4.5));
       group.addObject(new Sphere(far, (float) size(), Color.BLACK));
     }
-    group.addObject(shape);
+    group.addObject(trial.shape());
     outer.addObject(group);
-    new ContractTrial(this, "group").all(shape, (ray, hit) -> {
+    trial.all((ray, hit) -> {
       final Hit found = outer.intersectionWith(ray);
-      if (hit.hits() || found.hits() && found.getT() < 1e6 * size()) {
+      if (hit.hits() || found.hits() && found.getT() < 1e6 * trial.size()) {
         assertSameHit(hit, found, "in a group");
       }
     });
@@ -237,10 +237,10 @@ public interface Object3DContract {
   /** The same question gets the same answer, from all threads at once too. */
   @Test
   default void severalThreadsGetTheSameAnswers() throws Exception {
-    final Object3D shape = shape(Placement.MODEL);
+    final ContractTrial trial = new ContractTrial(this, "threads");
     final List<Ray> rays = new ArrayList<>();
     final List<Hit> expected = new ArrayList<>();
-    new ContractTrial(this, "threads").all(shape, (ray, hit) -> {
+    trial.all((ray, hit) -> {
       rays.add(ray);
       expected.add(hit);
     });
@@ -250,7 +250,7 @@ public interface Object3DContract {
       for (int k = 0; k < 4; k++) {
         ends.add(threads.submit(() -> {
           for (int i = 0; i < rays.size(); i++) {
-            assertSameHit(expected.get(i), shape.intersectionWith(rays.get(i)), rays.get(i).toString());
+            assertSameHit(expected.get(i), trial.shape().intersectionWith(rays.get(i)), rays.get(i).toString());
           }
         }));
       }
