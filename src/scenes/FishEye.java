@@ -1,7 +1,6 @@
 package scenes;
 
 import static arguments.Arguments.notNull;
-import static arguments.Arguments.wrong;
 import static arguments.Arguments.wrongState;
 
 import primitives.Point3D;
@@ -72,7 +71,7 @@ public final class FishEye extends Projection {
 
   private static double size(final float fov) {
     if (!(fov > 0 && fov <= 180)) {
-      throw wrong("upTo", "fov", fov, 0, 180);
+      throw new IllegalArgumentException(Messages.text("fishEye", fov));
     }
     return 2 * Math.sin(Math.toRadians(fov) / 2);
   }

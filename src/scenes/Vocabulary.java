@@ -71,6 +71,16 @@ final class Vocabulary {
     }
   }
 
+  /** The names of all elements but {@code image}. */
+  static Set<String> names() {
+    final Set<String> names = new LinkedHashSet<>();
+    for (final String row : ROWS) {
+      names.addAll(List.of(row.substring(row.indexOf(':') + 1).strip().split(" ")));
+    }
+    names.remove("");
+    return names;
+  }
+
   /** The types that an element can have, in the order of the documentation. */
   List<String> types(final String element) {
     final List<String> types = new ArrayList<>();

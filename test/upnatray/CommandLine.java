@@ -1,0 +1,72 @@
+package upnatray;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+
+/** The program as a process of its own, as who uses it starts it. */
+final class CommandLine {
+
+  /**
+   * What a process did.
+   *
+   * @param status its exit status
+   * @param out what it wrote to the standard output
+   * @param err what it wrote to the standard error
+   */
+  record Result(int status, String out, String err) {
+  }
+
+  private final Path folder;
+  private final List<String> flags = new ArrayList<>();
+
+  /** The program in a working directory. */
+  CommandLine(final Path folder) {
+    this.folder = folder;
+  }
+
+  /** The same with more flags for the virtual machine. */
+  CommandLine with(final String... more) {
+    final CommandLine other = new CommandLine(folder);
+    other.flags.addAll(flags);
+    other.flags.addAll(List.of(more));
+    return other;
+  }
+
+  Process start(final String... args) throws IOException {
+    final List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(List.of("-Djava.awt.headless=true", "-Duser.language=en", "-Duser.country=US", "-cp", classPath()));
+    command.addAll(flags);
+    command.add("upnatray.Main");
+    command.addAll(List.of(args));
+    return new ProcessBuilder(command).directory(folder.toFile()).redirectOutput(folder.resolve("out.txt").toFile())
+        .redirectError(folder.resolve("err.txt").toFile()).start();
+  }
+
+  /** The class path of the tests, from whatever directory. */
+  private static String classPath() {
+    final StringBuilder path = new StringBuilder();
+    for (final String entry : System.getProperty("java.class.path").split(File.pathSeparator)) {
+      path.append(path.length() == 0 ? "" : File.pathSeparator).append(Path.of(entry).toAbsolutePath());
+    }
+    return path.toString();
+  }
+
+  Result run(final String... args) throws IOException, InterruptedException {
+    return end(start(args));
+  }
+
+  /** Waits for the end of a process. */
+  Result end(final Process process) throws IOException, InterruptedException {
+    if (!process.waitFor(60, TimeUnit.SECONDS)) {
+      process.destroyForcibly();
+      throw new AssertionError("no end after a minute");
+    }
+    return new Result(process.exitValue(), Files.readString(folder.resolve("out.txt")), Files.readString(folder.resolve("err.txt")));
+  }
+}

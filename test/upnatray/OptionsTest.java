@@ -1,0 +1,62 @@
+package upnatray;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class OptionsTest {
+
+  private static final Path SCENE = Path.of("somewhere", "torus.xml");
+
+  @Test
+  void filesAndOptionsInAnyOrder() throws UsageException {
+    final Options options = Options.of("a.xml", "--threads", "3", "b.xml", "--no-window", "--check", "--", "--width");
+    assertEquals(List.of(Path.of("a.xml"), Path.of("b.xml"), Path.of("--width")), options.scenes());
+    assertEquals(3, options.threads());
+    assertTrue(options.check());
+  }
+
+  @ParameterizedTest
+  @CsvSource(delimiter = '|', value = {"|640 480", "--width 320|320 240", "--height=240|320 240", "--width 100 --height 100|100 100", "--width 1|1 1",
+    "--width=2147483647|2147483647 1610612735"})
+  void oneSizeAloneKeepsTheProportions(final String args, final String size) throws UsageException {
+    final int[] actual = Options.of(args == null ? new String[0] : args.split(" ")).size(640, 480);
+    assertEquals(size, actual[0] + " " + actual[1]);
+  }
+
+  @Test
+  void picturesGoWhereTheyAreAskedTo(@TempDir final Path folder) throws UsageException {
+    assertEquals(Path.of("images", "torus.png"), Options.of(SCENE.toString()).target(SCENE));
+    assertEquals(Path.of("x.png"), Options.of(SCENE.toString(), "-o", "x.png").target(SCENE));
+    assertEquals(Path.of("x", "torus.png"), Options.of(SCENE.toString(), "-o", "x/").target(SCENE));
+    assertEquals(folder.resolve("torus.png"), Options.of(SCENE.toString(), "--output=" + folder).target(SCENE));
+    assertEquals(Path.of("x", "torus.png"), Options.of(SCENE.toString(), "other.xml", "-o", "x").target(SCENE));
+    assertEquals(Path.of("images", "noextension.png"), Options.of("noextension").target(Path.of("noextension")));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"--widht 3", "-x", "--width", "--width=", "--width x", "--width 0", "--width -5", "--width 1e3", "--width 99999999999", "-o",
+    "--check=yes a.xml", "--help=1", "--check", "--threads 0"})
+  void wrongUsageIsTold(final String args) {
+    final UsageException wrong = assertThrows(UsageException.class, () -> Options.of(args.split(" ")));
+    assertTrue(wrong.getMessage().length() > 10);
+  }
+
+  @Test
+  void severalPicturesDoNotFitAFile(@TempDir final Path folder) throws Exception {
+    final Path file = Files.createFile(folder.resolve("f"));
+    assertThrows(UsageException.class, () -> Options.of("a.xml", "b.xml", "-o", file.toString()));
+    assertArrayEquals(new int[] {3, 2}, Options.of("a.xml", "-o", file.toString()).size(3, 2));
+  }
+}
