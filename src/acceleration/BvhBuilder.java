@@ -44,7 +44,7 @@ final class BvhBuilder {
     }
     final Task task = new Task(0, n, Extent.of(boxes, 0, n), 0);
     final Subtree tree = n < PARALLEL ? task.compute() : ForkJoinPool.commonPool().invoke(task);
-    return tree.toBvh(task.link, whole.numbers());
+    return tree.toBvh(n, task.link, whole.numbers());
   }
 
   /** A part of the tree, built by one thread, or split over several if it is large. */

@@ -36,15 +36,16 @@ final class SidePlane {
     farZ = nz > 0 ? 5 : 2;
   }
 
-  /** Allows for the rounding of coordinates, seen from the origin, up to the given ones. */
-  void loosen(final double mostX, final double mostY, final double mostZ) {
-    loose = Math.nextUp((float) (c + ROUNDING
-        * (Math.abs(x) * mostX + Math.abs(y) * mostY + Math.abs(z) * mostZ + Math.abs(c))));
+  /** Allows for the rounding of coordinates, seen from the origin, up to the given ones; answers what they can add up to. */
+  double loosen(final double mostX, final double mostY, final double mostZ) {
+    final double most = Math.abs(x) * mostX + Math.abs(y) * mostY + Math.abs(z) * mostZ + Math.abs(c);
+    loose = Math.nextUp((float) (c + ROUNDING * most));
+    return most;
   }
 
-  /** Whether all of a box lies outside; false if numbers overflow. */
-  boolean isBefore(final float[] boxes, final int at, final float originX, final float originY, final float originZ) {
-    return (boxes[at + farX] - originX) * floatX + (boxes[at + farY] - originY) * floatY
-        + (boxes[at + farZ] - originZ) * floatZ + loose < 0;
+  /** A negative number if all of a box lies outside. */
+  int sign(final float[] boxes, final int at, final float originX, final float originY, final float originZ) {
+    return Float.floatToRawIntBits((boxes[at + farX] - originX) * floatX + (boxes[at + farY] - originY) * floatY
+        + (boxes[at + farZ] - originZ) * floatZ + loose);
   }
 }

@@ -20,6 +20,9 @@ public final class TileFrustum {
   /** Added to the margin, in pixels, for the rounding of double. */
   private static final double ROUNDING = 1e-6;
 
+  /** Sums below this cannot overflow a float. */
+  private static final double HUGE = 1e37;
+
   private final GridFit grid = new GridFit();
 
   private final SidePlane left = new SidePlane();
@@ -145,19 +148,22 @@ public final class TileFrustum {
     return fitted;
   }
 
-  /** Prepares for boxes that lie within a box, whose six numbers bound what rounding to floats can do to theirs. */
-  void prepare(final float[] whole) {
+  /**
+   * Prepares for boxes that lie within a box, whose six numbers bound what rounding to floats can do to theirs.
+   *
+   * @return false if floats could overflow, so that nothing may be asked of boxes
+   */
+  boolean prepare(final float[] whole) {
     floatX = (float) originX;
     floatY = (float) originY;
     floatZ = (float) originZ;
     final double x = most(whole[0], whole[3], originX), y = most(whole[1], whole[4], originY);
     final double z = most(whole[2], whole[5], originZ);
-    left.loosen(x, y, z);
-    right.loosen(x, y, z);
-    below.loosen(x, y, z);
-    above.loosen(x, y, z);
+    final double greatest = Math.max(Math.max(left.loosen(x, y, z), right.loosen(x, y, z)),
+        Math.max(below.loosen(x, y, z), above.loosen(x, y, z)));
     nearLoose = (float) (-mostAhead - SidePlane.ROUNDING * (x + y + z + mostAhead));
     farLoose = (float) (mostBehind + SidePlane.ROUNDING * (x + y + z + mostBehind));
+    return greatest < HUGE && x + y + z + mostAhead + mostBehind < HUGE;
   }
 
   /** Greatest distance of an interval's points from an origin, and twice what the origin's own rounding adds to it. */
@@ -171,13 +177,16 @@ public final class TileFrustum {
         + (boxes[at + nearZ] - floatZ) * floatAxisZ + nearLoose;
   }
 
-  /** Whether no ray of the tile can be within a box. */
+  /**
+   * Whether no ray of the tile can be within a box. The signs of all five sides are gathered without a branch, which the
+   * processor would guess wrong too often.
+   */
   boolean isOutside(final float[] boxes, final int at) {
     final float x = floatX, y = floatY, z = floatZ;
     final float far = (boxes[at + 3 - nearX] - x) * floatAxisX + (boxes[at + 5 - nearY] - y) * floatAxisY
         + (boxes[at + 7 - nearZ] - z) * floatAxisZ + farLoose;
-    return far < 0 || left.isBefore(boxes, at, x, y, z) || right.isBefore(boxes, at, x, y, z)
-        || below.isBefore(boxes, at, x, y, z) || above.isBefore(boxes, at, x, y, z);
+    return (Float.floatToRawIntBits(far) | left.sign(boxes, at, x, y, z) | right.sign(boxes, at, x, y, z)
+        | below.sign(boxes, at, x, y, z) | above.sign(boxes, at, x, y, z)) < 0;
   }
 
   /**
@@ -235,17 +244,7 @@ public final class TileFrustum {
     final double ra = (rowX * ax + rowY * ay + rowZ * az + rowAt) / a;
     final double rb = (rowX * bx + rowY * by + rowZ * bz + rowAt) / b;
     final double rc = (rowX * cx + rowY * cy + rowZ * cz + rowAt) / c;
-    return limit(least(ca, cb, cc), most(ca, cb, cc), least(ra, rb, rc), most(ra, rb, rc));
-  }
-
-  private static double least(final double a, final double b, final double c) {
-    final double ab = a < b ? a : b;
-    return ab < c ? ab : c;
-  }
-
-  private static double most(final double a, final double b, final double c) {
-    final double ab = a > b ? a : b;
-    return ab > c ? ab : c;
+    return limit(Math.min(ca, Math.min(cb, cc)), Math.max(ca, Math.max(cb, cc)), Math.min(ra, Math.min(rb, rc)), Math.max(ra, Math.max(rb, rc)));
   }
 
   private boolean all() {

@@ -2,6 +2,8 @@ package models;
 
 import java.math.BigDecimal;
 
+import primitives.BoundingBox;
+
 /**
  * Where a ray meets a triangle, such that triangles which share an edge or a vertex leave no crack between them.
  *
@@ -27,18 +29,13 @@ final class EdgeTest {
   private EdgeTest() {
   }
 
-  /** Greatest error that a sign computed from vertices of these coordinates can have. */
-  static double error(final double ax, final double ay, final double az, final double bx, final double by, final double bz,
-      final double cx, final double cy, final double cz) {
-    final double a = most(Math.abs(ax), Math.abs(ay), Math.abs(az));
-    final double b = most(Math.abs(bx), Math.abs(by), Math.abs(bz));
-    final double m = most(a, b, most(Math.abs(cx), Math.abs(cy), Math.abs(cz)));
+  /** Greatest error that a sign can have for vertices within a box, seen from a point. */
+  static double error(final BoundingBox box, final double x, final double y, final double z) {
+    final double a = Math.max(Math.abs(box.minX() - x), Math.abs(box.maxX() - x));
+    final double b = Math.max(Math.abs(box.minY() - y), Math.abs(box.maxY() - y));
+    final double c = Math.max(Math.abs(box.minZ() - z), Math.abs(box.maxZ() - z));
+    final double m = Math.max(a, Math.max(b, c));
     return ERROR * m * m;
-  }
-
-  private static double most(final double a, final double b, final double c) {
-    final double ab = a > b ? a : b;
-    return ab > c ? ab : c;
   }
 
   /** Whether three numbers have no two different signs, whatever errors of the given size they have. */
@@ -54,15 +51,15 @@ final class EdgeTest {
   /**
    * Distance at which a ray meets a triangle.
    *
+   * @param error what {@link #error} answered for a box of the triangle
    * @return the t, negative if the triangle is behind the start; NaN if the line misses it or lies in its plane
    */
   static double distance(final double ax, final double ay, final double az,
       final double bx, final double by, final double bz, final double cx, final double cy, final double cz,
-      final double dx, final double dy, final double dz) {
+      final double dx, final double dy, final double dz, final double error) {
     final double e = volume(dx, dy, dz, bx, by, bz, cx, cy, cz);
     final double f = volume(dx, dy, dz, cx, cy, cz, ax, ay, az);
     final double g = volume(dx, dy, dz, ax, ay, az, bx, by, bz);
-    final double error = error(ax, ay, az, bx, by, bz, cx, cy, cz);
     if (isOutside(e, f, g, error)) {
       return Double.NaN;
     }

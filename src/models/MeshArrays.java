@@ -15,7 +15,7 @@ final class MeshArrays {
   }
 
   /**
-   * Copies of arrays from outside, without the triangles that have no area.
+   * Arrays from outside, without the triangles that have no area: the coordinates as they are given, new corners.
    *
    * @param given vertex numbers, three to a triangle
    * @throws IllegalArgumentException if something is wrong with them; see {@link TriangularMesh#of}
@@ -42,7 +42,7 @@ final class MeshArrays {
     if (end == 0) {
       throw wrong("noTriangle", given.length / 3);
     }
-    return new MeshArrays(coordinates.clone(), end == corners.length ? corners : java.util.Arrays.copyOf(corners, end));
+    return new MeshArrays(coordinates, end == corners.length ? corners : java.util.Arrays.copyOf(corners, end));
   }
 
   private static int place(final float[] coordinates, final int[] given, final int i) {

@@ -8,6 +8,7 @@ final class MeshRay implements Bvh.Leaves {
 
   private final Ray ray;
   private final MeshTree mesh;
+  private final double error;
   private double t = Double.POSITIVE_INFINITY;
   private int facet = -1;
 
@@ -20,6 +21,7 @@ final class MeshRay implements Bvh.Leaves {
   private MeshRay(final MeshTree mesh, final Ray ray) {
     this.ray = ray;
     this.mesh = mesh;
+    this.error = mesh.error(ray.startX(), ray.startY(), ray.startZ());
   }
 
   /** Number of triangles that are tested for the answer. */
@@ -60,7 +62,7 @@ final class MeshRay implements Bvh.Leaves {
         mesh.coordinate(a) - x, mesh.coordinate(a + 1) - y, mesh.coordinate(a + 2) - z,
         mesh.coordinate(b) - x, mesh.coordinate(b + 1) - y, mesh.coordinate(b + 2) - z,
         mesh.coordinate(c) - x, mesh.coordinate(c + 1) - y, mesh.coordinate(c + 2) - z,
-        ray.directionX(), ray.directionY(), ray.directionZ());
+        ray.directionX(), ray.directionY(), ray.directionZ(), error);
     final float f = (float) distance, best = (float) t;
     if (f > 0 && (f < best || f == best && mesh.facet(place) < facet)) {
       t = distance;

@@ -19,6 +19,7 @@ final class MeshTile implements Bvh.Leaves {
   private final double x;
   private final double y;
   private final double z;
+  private final double error;
 
   MeshTile(final RayTile rays, final TileHits hits, final TriangularMesh owner, final MeshTree mesh) {
     this.rays = rays;
@@ -29,6 +30,7 @@ final class MeshTile implements Bvh.Leaves {
     this.x = frustum.originX();
     this.y = frustum.originY();
     this.z = frustum.originZ();
+    this.error = mesh.error(x, y, z);
   }
 
   void findHits() {
@@ -72,27 +74,37 @@ final class MeshTile implements Bvh.Leaves {
 
   /**
    * Rays with one start: the edges' products and the plane are the same for all, and so is the side from which they see the
-   * triangle. If that is beyond doubt, all three signs of a hit are known: those of the plane's distance.
+   * triangle, which is the sign that the three edges must have for a hit. The signs of up to 64 rays are gathered in a mask
+   * without a branch that the processor could guess wrong; then the few hits are looked at one by one.
    */
   private void test(final int place, final double ax, final double ay, final double az,
       final double bx, final double by, final double bz, final double cx, final double cy, final double cz) {
     final double px = bx - ax, py = by - ay, pz = bz - az, qx = cx - ax, qy = cy - ay, qz = cz - az;
     final double nx = py * qz - pz * qy, ny = pz * qx - px * qz, nz = px * qy - py * qx;
-    final double plane = ax * nx + ay * ny + az * nz;
-    final double error = EdgeTest.error(ax, ay, az, bx, by, bz, cx, cy, cz);
-    final double s = plane > 0 ? 1 : -1;
+    final double plane = ax * nx + ay * ny + az * nz, s = Math.copySign(1, plane);
     final double ex = s * (by * cz - bz * cy), ey = s * (bz * cx - bx * cz), ez = s * (bx * cy - by * cx);
     final double fx = s * (cy * az - cz * ay), fy = s * (cz * ax - cx * az), fz = s * (cx * ay - cy * ax);
     final double gx = s * (ay * bz - az * by), gy = s * (az * bx - ax * bz), gz = s * (ax * by - ay * bx);
-    final int firstColumn = frustum.firstColumn(), lastColumn = frustum.lastColumn(), lastRow = frustum.lastRow();
-    for (int row = frustum.firstRow(); row <= lastRow; row++) {
-      final int last = row * RayTile.SIZE + lastColumn;
-      for (int i = row * RayTile.SIZE + firstColumn; i <= last; i++) {
+    final int width = frustum.lastColumn() - frustum.firstColumn() + 1, atOnce = 64 / width;
+    for (int row = frustum.firstRow(); row <= frustum.lastRow(); row += atOnce) {
+      final int first = row * RayTile.SIZE + frustum.firstColumn();
+      final int n = width * Math.min(atOnce, frustum.lastRow() - row + 1);
+      long mask = 0;
+      for (int k = 0, i = first, column = 1; k < n; k++) {
         final double dx = rays.directionX(i), dy = rays.directionY(i), dz = rays.directionZ(i);
-        final double e = dx * ex + dy * ey + dz * ez, f = dx * fx + dy * fy + dz * fz, g = dx * gx + dy * gy + dz * gz;
-        final double ef = e < f ? e : f, least = ef < g ? ef : g;
-        if (least >= -error && (least > error
-            || EdgeTest.isInsideExactly(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz))) {
+        final long signs = Double.doubleToRawLongBits(dx * ex + dy * ey + dz * ez + error)
+            | Double.doubleToRawLongBits(dx * fx + dy * fy + dz * fz + error)
+            | Double.doubleToRawLongBits(dx * gx + dy * gy + dz * gz + error);
+        mask |= (~signs >>> 63) << k;
+        final int endOfRow = width - 1 - column >> 31;
+        i += 1 + (endOfRow & RayTile.SIZE - width);
+        column = (column & ~endOfRow) + 1;
+      }
+      for (; mask != 0; mask &= mask - 1) {
+        final int k = Long.numberOfTrailingZeros(mask), i = first + k / width * RayTile.SIZE + k % width;
+        final double dx = rays.directionX(i), dy = rays.directionY(i), dz = rays.directionZ(i);
+        if (dx * ex + dy * ey + dz * ez > error && dx * fx + dy * fy + dz * fz > error && dx * gx + dy * gy + dz * gz > error
+            || EdgeTest.isInsideExactly(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz)) {
           offer(i, place, plane / (dx * nx + dy * ny + dz * nz));
         }
       }
@@ -108,7 +120,7 @@ final class MeshTile implements Bvh.Leaves {
             mesh.coordinate(a) - sx, mesh.coordinate(a + 1) - sy, mesh.coordinate(a + 2) - sz,
             mesh.coordinate(b) - sx, mesh.coordinate(b + 1) - sy, mesh.coordinate(b + 2) - sz,
             mesh.coordinate(c) - sx, mesh.coordinate(c + 1) - sy, mesh.coordinate(c + 2) - sz,
-            rays.directionX(i), rays.directionY(i), rays.directionZ(i)));
+            rays.directionX(i), rays.directionY(i), rays.directionZ(i), mesh.error(sx, sy, sz)));
       }
     }
   }

@@ -17,7 +17,8 @@ final class MeshTree {
   /** Triangles to a leaf: fewer cost memory, more cost tests. */
   private static final int LEAF = 4;
 
-  private final float[] coordinates;
+  /** In double, as they are computed with: to convert a float makes a triangle wait for the one before. */
+  private final double[] coordinates;
   private final int[] corners;
   private final int[] facets;
   private final Bvh tree;
@@ -27,14 +28,28 @@ final class MeshTree {
   private volatile int[] places;
 
   MeshTree(final MeshArrays arrays) {
-    coordinates = arrays.coordinates;
     facets = new int[arrays.corners.length / 3];
     final float[] boxes = boxes(arrays);
     box = union(boxes);
     tree = Bvh.over(boxes, LEAF, facets);
     corners = new int[arrays.corners.length];
-    for (int i = 0; i < facets.length; i++) {
-      System.arraycopy(arrays.corners, 3 * facets[i], corners, 3 * i, 3);
+    coordinates = new double[arrays.coordinates.length];
+    arrange(arrays);
+  }
+
+  /** Takes triangles in the order of the tree, and vertices in the order in which these triangles use them. */
+  private void arrange(final MeshArrays arrays) {
+    final int[] moved = new int[arrays.coordinates.length / 3];
+    int end = 0;
+    for (int i = 0; i < corners.length; i++) {
+      final int from = arrays.corners[3 * facets[i / 3] + i % 3];
+      if (moved[from / 3] == 0) {
+        coordinates[end++] = arrays.coordinates[from];
+        coordinates[end++] = arrays.coordinates[from + 1];
+        coordinates[end++] = arrays.coordinates[from + 2];
+        moved[from / 3] = end;
+      }
+      corners[i] = moved[from / 3] - 3;
     }
   }
 
@@ -69,6 +84,11 @@ final class MeshTree {
     return box;
   }
 
+  /** Greatest error that the sign of an edge can have, seen from a point. */
+  double error(final double x, final double y, final double z) {
+    return EdgeTest.error(box, x, y, z);
+  }
+
   void closest(final Ray ray, final Bvh.Leaves leaves) {
     tree.closest(ray.startX(), ray.startY(), ray.startZ(), ray.directionX(), ray.directionY(), ray.directionZ(), leaves);
   }
@@ -86,7 +106,7 @@ final class MeshTree {
     return corners[3 * place + which];
   }
 
-  float coordinate(final int at) {
+  double coordinate(final int at) {
     return coordinates[at];
   }
 

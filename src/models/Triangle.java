@@ -31,6 +31,7 @@ public class Triangle extends Object3D {
   private final float cx;
   private final float cy;
   private final float cz;
+  private final BoundingBox box;
 
   /**
    * A triangle.
@@ -43,24 +44,27 @@ public class Triangle extends Object3D {
    *     the rounding of their coordinates
    */
   public Triangle(final Point3D A, final Point3D B, final Point3D C, final Color color) {
-    this(new float[] {finite("A", A).x, A.y, A.z, finite("B", B).x, B.y, B.z, finite("C", C).x, C.y, C.z}, 0, 3, 6, color);
+    this(new double[] {finite("A", A).x, A.y, A.z, finite("B", B).x, B.y, B.z, finite("C", C).x, C.y, C.z}, 0, 3, 6, color);
     if (isAligned()) {
       throw wrong("aligned", A, B, C);
     }
   }
 
-  /** A triangle of a mesh, whose vertices start at the places a, b and c of its coordinates. */
-  Triangle(final float[] coordinates, final int a, final int b, final int c, final Color color) {
+  /** A triangle of a mesh, whose vertices start at the places a, b and c of its coordinates, which are floats. */
+  Triangle(final double[] coordinates, final int a, final int b, final int c, final Color color) {
     super(color);
-    ax = coordinates[a];
-    ay = coordinates[a + 1];
-    az = coordinates[a + 2];
-    bx = coordinates[b];
-    by = coordinates[b + 1];
-    bz = coordinates[b + 2];
-    cx = coordinates[c];
-    cy = coordinates[c + 1];
-    cz = coordinates[c + 2];
+    ax = (float) coordinates[a];
+    ay = (float) coordinates[a + 1];
+    az = (float) coordinates[a + 2];
+    bx = (float) coordinates[b];
+    by = (float) coordinates[b + 1];
+    bz = (float) coordinates[b + 2];
+    cx = (float) coordinates[c];
+    cy = (float) coordinates[c + 1];
+    cz = (float) coordinates[c + 2];
+    box = new BoundingBox(
+        new Point3D(Math.min(ax, Math.min(bx, cx)), Math.min(ay, Math.min(by, cy)), Math.min(az, Math.min(bz, cz))),
+        new Point3D(Math.max(ax, Math.max(bx, cx)), Math.max(ay, Math.max(by, cy)), Math.max(az, Math.max(bz, cz))));
   }
 
   private boolean isAligned() {
@@ -95,7 +99,8 @@ public class Triangle extends Object3D {
 
   @Override
   double distance(final double x, final double y, final double z, final double dx, final double dy, final double dz) {
-    final double t = EdgeTest.distance(ax - x, ay - y, az - z, bx - x, by - y, bz - z, cx - x, cy - y, cz - z, dx, dy, dz);
+    final double t = EdgeTest.distance(ax - x, ay - y, az - z, bx - x, by - y, bz - z, cx - x, cy - y, cz - z,
+        dx, dy, dz, EdgeTest.error(box, x, y, z));
     return t > 0 ? t : Double.POSITIVE_INFINITY;
   }
 
@@ -113,14 +118,7 @@ public class Triangle extends Object3D {
 
   @Override
   public BoundingBox getBoundingBox() {
-    return new BoundingBox(
-        new Point3D(Math.min(ax, Math.min(bx, cx)), Math.min(ay, Math.min(by, cy)), Math.min(az, Math.min(bz, cz))),
-        new Point3D(Math.max(ax, Math.max(bx, cx)), Math.max(ay, Math.max(by, cy)), Math.max(az, Math.max(bz, cz))));
-  }
-
-  @Override
-  public List<Object> constructorArguments() {
-    return List.of(new Point3D(ax, ay, az), new Point3D(bx, by, bz), new Point3D(cx, cy, cz), getColor());
+    return box;
   }
 
   @Override
