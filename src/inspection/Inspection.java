@@ -1,0 +1,39 @@
+package inspection;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * All that is to be known of a pixel.
+ *
+ * @param pixel the pixel and its ray
+ * @param meetings the objects that the ray meets, in the order of t; at the end those that met nothing but have findings
+ * @param colour how the colour comes about, step by step; the last step has the colour of the pixel
+ * @param tests what finding the closest hit cost, see {@link models.Cost}
+ */
+public record Inspection(PixelRay pixel, List<Meeting> meetings, List<ColourStep> colour, int tests) {
+
+  /** Copies the lists. */
+  public Inspection {
+    meetings = List.copyOf(meetings);
+    colour = List.copyOf(colour);
+  }
+
+  /**
+   * The meeting that is painted.
+   *
+   * @return the closest; empty if nothing is met
+   */
+  public Optional<Meeting> winner() {
+    return meetings.stream().filter(Meeting::winner).findFirst();
+  }
+
+  /**
+   * Colour of the pixel.
+   *
+   * @return sRGB with alpha
+   */
+  public int argb() {
+    return colour.get(colour.size() - 1).argb();
+  }
+}

@@ -1,0 +1,89 @@
+package inspection;
+
+import static arguments.Arguments.index;
+import static arguments.Arguments.notNull;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+import models.Cost;
+import scenes.Scene;
+import tracer.Hit;
+import tracer.Ray;
+import tracer.RayGenerator;
+import upnatray.RenderJob;
+import upnatray.Shading;
+
+/**
+ * Answers questions about the pixels of a picture. It asks every object of the scene, one after the other and without any
+ * tree, so it also finds what an object answers that a rendering would not have asked.
+ */
+public final class Inspector {
+
+  private final Scene scene;
+  private final RayGenerator generator;
+
+  /**
+   * An inspector of the picture of a scene.
+   *
+   * @param scene the scene, whose camera has a projection
+   * @param W width of the picture in pixels, at least 1
+   * @param H height of the picture in pixels, at least 1
+   * @throws IllegalArgumentException if the scene is null or the picture has no pixel
+   */
+  public Inspector(final Scene scene, final int W, final int H) {
+    this.scene = notNull("scene", scene);
+    this.generator = scene.camera().getRayGenerator(W, H);
+  }
+
+  /**
+   * Inspects a pixel.
+   *
+   * @param m column, 0 … W − 1 from the left
+   * @param n row, 0 … H − 1 from the bottom
+   * @return what there is to know of it
+   * @throws IllegalArgumentException if there is no such pixel
+   */
+  public Inspection inspect(final int m, final int n) {
+    final int W = generator.getWidth(), H = generator.getHeight();
+    final Ray ray = generator.getRay(index("m", W, m), index("n", H, n));
+    final String projection = scene.camera().getProjection().getClass().getSimpleName();
+    final List<Formula> formulas = new RayFormulas(scene.camera(), W, H, m, n).of(ray);
+    final List<Meeting> meetings = ray == Ray.NORAY ? List.of() : meetings(ray);
+    final Hit hit = meetings.stream().filter(Meeting::winner).map(Meeting::hit).findFirst().orElse(Hit.NOHIT);
+    return new Inspection(new PixelRay(m, n, W, H, projection, formulas, ray), meetings, colour(ray, hit), tests(ray));
+  }
+
+  private List<Meeting> meetings(final Ray ray) {
+    final List<Meeting> meetings = new ArrayList<>(new Meetings(scene, ray).all());
+    meetings.sort(Comparator.comparing(meeting -> meeting.hit().getT()));
+    if (!meetings.isEmpty() && meetings.get(0).hit().hits()) {
+      meetings.set(0, meetings.get(0).asWinner());
+    }
+    return meetings;
+  }
+
+  /** An object that answers wrongly may keep the question from being asked. */
+  private int tests(final Ray ray) {
+    try {
+      return Cost.of(scene.objects(), ray);
+    } catch (final RuntimeException failed) {
+      return 0;
+    }
+  }
+
+  private List<ColourStep> colour(final Ray ray, final Hit hit) {
+    if (!hit.hits()) {
+      final ColourStep.Kind kind = ray == Ray.NORAY ? ColourStep.Kind.NO_RAY : ColourStep.Kind.BACKGROUND;
+      return List.of(new ColourStep(kind, 0, scene.background().getRGB()));
+    }
+    final ColourStep object = new ColourStep(ColourStep.Kind.OBJECT, 0, Shading.PLAIN.argb(ray, hit));
+    if (!scene.facing()) {
+      return List.of(object);
+    }
+    final double cosine = Math.abs(hit.normalX() * ray.directionX() + hit.normalY() * ray.directionY()
+        + hit.normalZ() * ray.directionZ());
+    return List.of(object, new ColourStep(ColourStep.Kind.COSINE, cosine, RenderJob.shading(scene).argb(ray, hit)));
+  }
+}

@@ -1,0 +1,227 @@
+package inspection;
+
+import static arguments.Arguments.notNull;
+import static arguments.Arguments.positive;
+
+import java.util.ArrayList;
+import java.util.List;
+
+import models.Group3D;
+import models.Object3D;
+import primitives.BoundingBox;
+import primitives.Point3D;
+import primitives.Vector3D;
+import scenes.Scene;
+import tracer.Hit;
+import tracer.Ray;
+import view.Angular;
+import view.Camera;
+import view.Orthographic;
+import view.Projection;
+
+/**
+ * A scene and its camera as a line drawing in space: the camera's frame, the window of the projection with its grid of pixels,
+ * the boxes of the objects, and the ray of a pixel. It is for looking at from outside.
+ */
+public final class Outline {
+
+  /** More boxes than this would be a tangle. */
+  private static final int MOST_BOXES = 2000;
+
+  /** Lines of the pixel grid to each side, at most; where there are more pixels, each square stands for several. */
+  private static final int MOST_GRID_LINES = 16;
+
+  /** What a line is part of. */
+  public enum Kind {
+    /** The camera's x. */
+    AXIS_X,
+    /** The camera's y. */
+    AXIS_Y,
+    /** The camera's z, against the view. */
+    AXIS_Z,
+    /** The rim of the window of the projection. */
+    WINDOW,
+    /** The pixels in the window. */
+    GRID,
+    /** From the camera through the corners of the window. */
+    FRUSTUM,
+    /** The box of an object. */
+    BOX,
+    /** The ray of the pinned pixel, up to what it meets. */
+    RAY,
+    /** The normal where it meets it. */
+    NORMAL
+  }
+
+  /**
+   * A line between two points of the scene.
+   *
+   * @param kind what it is part of
+   * @param from one end
+   * @param to the other end
+   * @param argb colour of the object that a box is about; 0 if it has none, and for all other kinds
+   */
+  public record Line(Kind kind, Point3D from, Point3D to, int argb) {
+  }
+
+  private final Scene scene;
+  private final Camera camera;
+  private final int W;
+  private final int H;
+  private final List<Line> lines = new ArrayList<>();
+  private BoundingBox bounds;
+
+  private Outline(final Scene scene, final int W, final int H) {
+    this.scene = notNull("scene", scene);
+    this.camera = scene.camera();
+    this.W = positive("W", W);
+    this.H = positive("H", H);
+    this.bounds = new BoundingBox(camera.getPosition(), camera.getPosition());
+  }
+
+  /**
+   * The drawing of a scene.
+   *
+   * @param scene the scene, whose camera has a projection
+   * @param W width of the picture in pixels, at least 1
+   * @param H height of the picture in pixels, at least 1
+   * @return the lines, without a ray
+   * @throws IllegalArgumentException if the scene is null or there is no pixel
+   */
+  public static List<Line> of(final Scene scene, final int W, final int H) {
+    return of(scene, W, H, Ray.NORAY, Hit.NOHIT);
+  }
+
+  /**
+   * The drawing of a scene with a ray.
+   *
+   * @param scene the scene, whose camera has a projection
+   * @param W width of the picture in pixels, at least 1
+   * @param H height of the picture in pixels, at least 1
+   * @param ray the ray; {@link Ray#NORAY} for none
+   * @param hit what it meets; {@link Hit#NOHIT} for nothing
+   * @return the lines
+   * @throws IllegalArgumentException if an argument is null or there is no pixel
+   */
+  public static List<Line> of(final Scene scene, final int W, final int H, final Ray ray, final Hit hit) {
+    final Outline outline = new Outline(scene, W, H);
+    outline.addBoxes(scene.objects());
+    outline.addCamera();
+    if (notNull("ray", ray) != Ray.NORAY) {
+      outline.addRay(ray, notNull("hit", hit));
+    }
+    return List.copyOf(outline.lines);
+  }
+
+  private void addBoxes(final Group3D group) {
+    for (final Object3D object : group.getObjects()) {
+      final BoundingBox box = object.getBoundingBox();
+      if (object instanceof Group3D part) {
+        addBoxes(part);
+      } else if (box != null && box.isFinite() && lines.size() < MOST_BOXES * 12) {
+        addBox(box, object.getColor() == null ? 0 : object.getColor().getRGB());
+        bounds = bounds.union(box);
+      }
+    }
+  }
+
+  /** Each edge joins two corners that differ in one coordinate, which are numbered by their bits. */
+  private void addBox(final BoundingBox box, final int argb) {
+    for (int corner = 0; corner < 8; corner++) {
+      for (int bit = 1; bit < 8; bit <<= 1) {
+        if ((corner & bit) == 0) {
+          lines.add(new Line(Kind.BOX, corner(box, corner), corner(box, corner | bit), argb));
+        }
+      }
+    }
+  }
+
+  private static Point3D corner(final BoundingBox box, final int bits) {
+    return new Point3D((bits & 1) == 0 ? box.minX() : box.maxX(), (bits & 2) == 0 ? box.minY() : box.maxY(),
+        (bits & 4) == 0 ? box.minZ() : box.maxZ());
+  }
+
+  /** Size of all that is drawn. */
+  private float size() {
+    return Math.max(1, bounds.getMin().distance(bounds.getMax()));
+  }
+
+  private void addCamera() {
+    final Projection projection = camera.getProjection();
+    final float w = projection.getWidth() / 2, h = projection.getHeight() / 2;
+    final boolean parallel = projection instanceof Orthographic;
+    final float z = parallel ? 0 : -1, length = Math.max(1, 0.1f * size());
+    add(Kind.AXIS_X, 0, 0, 0, length, 0, 0);
+    add(Kind.AXIS_Y, 0, 0, 0, 0, length, 0);
+    add(Kind.AXIS_Z, 0, 0, 0, 0, 0, length);
+    addGrid(w, h, z);
+    final float far = Math.max(1, 0.5f * size());
+    for (int corner = 0; corner < 4; corner++) {
+      final float x = (corner & 1) == 0 ? -w : w, y = (corner & 2) == 0 ? -h : h;
+      add(Kind.FRUSTUM, parallel ? x : 0, parallel ? y : 0, 0, parallel ? x : far * x, parallel ? y : far * y, -far);
+    }
+    add(Kind.WINDOW, -w, -h, z, w, -h, z);
+    add(Kind.WINDOW, w, -h, z, w, h, z);
+    add(Kind.WINDOW, w, h, z, -w, h, z);
+    add(Kind.WINDOW, -w, h, z, -w, -h, z);
+    if (projection instanceof Angular) {
+      addRim(w);
+    }
+  }
+
+  private void addGrid(final float w, final float h, final float z) {
+    for (int i = step(W); i < W; i += step(W)) {
+      final float x = 2 * w * i / W - w;
+      add(Kind.GRID, x, -h, z, x, h, z);
+    }
+    for (int i = step(H); i < H; i += step(H)) {
+      final float y = 2 * h * i / H - h;
+      add(Kind.GRID, -w, y, z, w, y, z);
+    }
+  }
+
+  /** Pixels between two lines of the grid: a power of two. */
+  private static int step(final int pixels) {
+    int step = 1;
+    while (pixels / step > MOST_GRID_LINES) {
+      step *= 2;
+    }
+    return step;
+  }
+
+  /** The rim of the fish-eye's cap, and two arcs across the cap. */
+  private void addRim(final float rim) {
+    final int parts = 48;
+    final double radius = Math.sqrt(1 + rim * rim);
+    for (int i = 0; i < parts; i++) {
+      final double a = 2 * Math.PI * i / parts, b = 2 * Math.PI * (i + 1) / parts;
+      add(Kind.WINDOW, (float) (rim * Math.cos(a)), (float) (rim * Math.sin(a)), -1,
+          (float) (rim * Math.cos(b)), (float) (rim * Math.sin(b)), -1);
+      final double s = 2.0 * rim * i / parts - rim, t = 2.0 * rim * (i + 1) / parts - rim;
+      final float zs = (float) -Math.sqrt(radius * radius - s * s), zt = (float) -Math.sqrt(radius * radius - t * t);
+      add(Kind.WINDOW, (float) s, 0, zs, (float) t, 0, zt);
+      add(Kind.WINDOW, 0, (float) s, zs, 0, (float) t, zt);
+    }
+  }
+
+  private void addRay(final Ray ray, final Hit hit) {
+    final Point3D end = hit.hits() ? hit.getPoint() : ray.pointAtParameter(size());
+    lines.add(new Line(Kind.RAY, ray.getStartingPoint(), end, 0));
+    if (hit.hits()) {
+      final Point3D tip = hit.getPoint();
+      final Vector3D n = hit.getNormal();
+      n.scale(0.08f * size());
+      tip.add(n);
+      lines.add(new Line(Kind.NORMAL, hit.getPoint(), tip, 0));
+    }
+  }
+
+  /** Adds a line of the camera's frame. */
+  private void add(final Kind kind, final float x1, final float y1, final float z1, final float x2, final float y2,
+      final float z2) {
+    final Point3D from = new Point3D(x1, y1, z1), to = new Point3D(x2, y2, z2);
+    camera.toSceneCoordinates(from);
+    camera.toSceneCoordinates(to);
+    lines.add(new Line(kind, from, to, 0));
+  }
+}

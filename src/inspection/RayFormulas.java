@@ -1,0 +1,109 @@
+package inspection;
+
+import java.util.ArrayList;
+import java.util.List;
+
+import primitives.Point3D;
+import primitives.Vector3D;
+import tracer.Ray;
+import view.Angular;
+import view.Camera;
+import view.Orthographic;
+import view.Perspective;
+import view.Projection;
+
+/** The formulas of the assignment's projections, with the numbers of one pixel. */
+final class RayFormulas {
+
+  private final Camera camera;
+  private final Projection projection;
+  private final int m;
+  private final int n;
+  private final int W;
+  private final int H;
+  private final List<Formula> formulas = new ArrayList<>();
+
+  RayFormulas(final Camera camera, final int W, final int H, final int m, final int n) {
+    this.camera = camera;
+    this.projection = camera.getProjection();
+    this.m = m;
+    this.n = n;
+    this.W = W;
+    this.H = H;
+  }
+
+  List<Formula> of(final Ray ray) {
+    final float w = projection.getWidth(), h = projection.getHeight();
+    add("w", "", "", w);
+    add("h", "", "", h);
+    final double x = (m + 0.5) * w / W - w / 2, y = (n + 0.5) * h / H - h / 2;
+    add("x", "(m + ½) · w / W − w / 2", centre(m, w, W), x);
+    add("y", "(n + ½) · h / H − h / 2", centre(n, h, H), y);
+    if (projection instanceof Orthographic) {
+      orthographic((float) x, (float) y);
+    } else if (projection instanceof Perspective) {
+      add("z", "−1", "", -1);
+      throughPoint((float) x, (float) y, -1);
+    } else if (projection instanceof Angular) {
+      angular(x, y, ray);
+    }
+    return formulas;
+  }
+
+  private static String centre(final int index, final float size, final int pixels) {
+    final String s = Numbers.text(size);
+    return "(" + index + " + 0.5) · " + s + " / " + pixels + " − " + s + " / 2";
+  }
+
+  private void orthographic(final float x, final float y) {
+    add("z", "0", "", 0);
+    final Point3D R = new Point3D(x, y, 0);
+    camera.toSceneCoordinates(R);
+    formulas.add(new Formula("R", "V + x·i + y·j", sum(x, y, 0), Numbers.text(R)));
+    formulas.add(new Formula("v", "look", "", Numbers.text(camera.getLook())));
+  }
+
+  /** The ray from the camera through a point of its frame. */
+  private void throughPoint(final float x, final float y, final float z) {
+    final Point3D Q = new Point3D(x, y, z);
+    camera.toSceneCoordinates(Q);
+    final Point3D V = camera.getPosition();
+    formulas.add(new Formula("R", "V", "", Numbers.text(V)));
+    formulas.add(new Formula("Q", "V + x·i + y·j + z·k", sum(x, y, z), Numbers.text(Q)));
+    final Vector3D v = new Vector3D(x, y, z);
+    camera.toSceneCoordinates(v);
+    final String length = Numbers.text(Math.sqrt((double) v.x * v.x + (double) v.y * v.y + (double) v.z * v.z));
+    final String numbers = Numbers.text(v) + " / " + length;
+    v.normalize();
+    formulas.add(new Formula("v", "(Q − R) / |Q − R|", numbers, Numbers.text(v)));
+  }
+
+  private String sum(final float x, final float y, final float z) {
+    final StringBuilder sum = new StringBuilder(Numbers.text(camera.getPosition()));
+    final float[] factors = {x, y, z};
+    for (int axis = 0; axis < (z == 0 ? 2 : 3); axis++) {
+      final Vector3D unit = new Vector3D(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
+      camera.toSceneCoordinates(unit);
+      sum.append(factors[axis] < 0 ? " − " : " + ").append(Numbers.text(Math.abs(factors[axis]))).append("·")
+          .append(Numbers.text(unit));
+    }
+    return sum.toString();
+  }
+
+  private void angular(final double x, final double y, final Ray ray) {
+    final double rim = projection.getWidth() / 2.0, rho = Math.hypot(x, y);
+    add("tan(ω/2)", "w / 2", Numbers.text(projection.getWidth()) + " / 2", rim);
+    add("ρ", "√(x² + y²)", "√(" + Numbers.text(x) + "² + " + Numbers.text(y) + "²)", rho);
+    if (ray == Ray.NORAY) {
+      formulas.add(new Formula("R, v", "ρ > tan(ω/2)", Numbers.text(rho) + " > " + Numbers.text(rim), "NORAY"));
+      return;
+    }
+    final double z = -Math.sqrt(1 + rim * rim - rho * rho);
+    add("z", "−√(1/cos²(ω/2) − ρ²)", "−√(" + Numbers.text(1 + rim * rim) + " − " + Numbers.text(rho * rho) + ")", z);
+    throughPoint((float) x, (float) y, (float) z);
+  }
+
+  private void add(final String symbol, final String general, final String numbers, final double value) {
+    formulas.add(new Formula(symbol, general, numbers, Numbers.text(value)));
+  }
+}
