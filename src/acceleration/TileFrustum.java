@@ -20,6 +20,9 @@ public final class TileFrustum {
   /** Added to the margin, in pixels, for the rounding of double. */
   private static final double ROUNDING = 1e-6;
 
+  /** Added before digits are cut off to round up; numbers just above a whole one go down to it, which does no harm. */
+  private static final double UP = 1 - 1e-9;
+
   /** Sums below this cannot overflow a float. */
   private static final double HUGE = 1e37;
 
@@ -238,12 +241,13 @@ public final class TileFrustum {
     if (!(a > 0 && b > 0 && c > 0)) {
       return all() && (a > 0 || b > 0 || c > 0);
     }
-    final double ca = (columnX * ax + columnY * ay + columnZ * az + columnAt) / a;
-    final double cb = (columnX * bx + columnY * by + columnZ * bz + columnAt) / b;
-    final double cc = (columnX * cx + columnY * cy + columnZ * cz + columnAt) / c;
-    final double ra = (rowX * ax + rowY * ay + rowZ * az + rowAt) / a;
-    final double rb = (rowX * bx + rowY * by + rowZ * bz + rowAt) / b;
-    final double rc = (rowX * cx + rowY * cy + rowZ * cz + rowAt) / c;
+    final double ka = 1 / a, kb = 1 / b, kc = 1 / c;
+    final double ca = (columnX * ax + columnY * ay + columnZ * az + columnAt) * ka;
+    final double cb = (columnX * bx + columnY * by + columnZ * bz + columnAt) * kb;
+    final double cc = (columnX * cx + columnY * cy + columnZ * cz + columnAt) * kc;
+    final double ra = (rowX * ax + rowY * ay + rowZ * az + rowAt) * ka;
+    final double rb = (rowX * bx + rowY * by + rowZ * bz + rowAt) * kb;
+    final double rc = (rowX * cx + rowY * cy + rowZ * cz + rowAt) * kc;
     return limit(Math.min(ca, Math.min(cb, cc)), Math.max(ca, Math.max(cb, cc)), Math.min(ra, Math.min(rb, rc)), Math.max(ra, Math.max(rb, rc)));
   }
 
@@ -255,12 +259,17 @@ public final class TileFrustum {
     return true;
   }
 
-  /** Limits the window to what lies, with the margin, between two columns and two rows. The casts saturate. */
+  /** Limits the window to the pixels that lie, with the margin, between two columns and two rows. */
   private boolean limit(final double leastColumn, final double mostColumn, final double leastRow, final double mostRow) {
-    firstColumn = Math.max(0, (int) Math.ceil(leastColumn - columnMargin));
-    lastColumn = Math.min(columns - 1, (int) Math.floor(mostColumn + columnMargin));
-    firstRow = Math.max(0, (int) Math.ceil(leastRow - rowMargin));
-    lastRow = Math.min(rows - 1, (int) Math.floor(mostRow + rowMargin));
+    final double left = leastColumn - columnMargin, right = mostColumn + columnMargin;
+    final double bottom = leastRow - rowMargin, top = mostRow + rowMargin;
+    if (right < 0 || left > columns - 1 || top < 0 || bottom > rows - 1) {
+      return false;
+    }
+    firstColumn = (int) Math.max(0, left + UP);
+    lastColumn = (int) Math.min(columns - 1, right);
+    firstRow = (int) Math.max(0, bottom + UP);
+    lastRow = (int) Math.min(rows - 1, top);
     return firstColumn <= lastColumn && firstRow <= lastRow;
   }
 

@@ -33,16 +33,23 @@ final class Bench {
     this.threads = threads;
   }
 
-  static int run(final String[] args) throws IOException {
-    if (args.length != 4) {
-      System.err.println("--bench WORKFILE THREADS SECONDS OUT.png");
+  /** Does what the command line asks for and answers the exit status. */
+  static int run(final String[] args) {
+    try {
+      final int threads = Integer.parseInt(args[1]);
+      final double seconds = Double.parseDouble(args[2]);
+      final Path out = Path.of(args[3]);
+      final long begin = System.nanoTime();
+      final WorkFile work = WorkFile.read(Path.of(args[0]));
+      new Bench(work, threads).run(seconds, (System.nanoTime() - begin) * 1e-9, out);
+      return 0;
+    } catch (ArrayIndexOutOfBoundsException | NumberFormatException wrongUsage) {
+      System.err.println("UPNaTRay --bench WORKFILE THREADS SECONDS OUT.png");
       return 2;
+    } catch (IOException failure) {
+      System.err.println(failure.getMessage());
+      return 1;
     }
-    final long begin = System.nanoTime();
-    final WorkFile work = WorkFile.read(Path.of(args[0]));
-    final double load = (System.nanoTime() - begin) * 1e-9;
-    new Bench(work, Integer.parseInt(args[1])).run(Double.parseDouble(args[2]), load, Path.of(args[3]));
-    return 0;
   }
 
   private void run(final double seconds, final double load, final Path out) throws IOException {
@@ -61,7 +68,7 @@ final class Bench {
       clock[frames] = (System.nanoTime() - frame) * 1e-9;
       busy[frames++] = seconds > 0 ? (cpu.get() + threadTime()) * 1e-9 : threads * clock[0];
     } while (goesOn(frames, (System.nanoTime() - start) * 1e-9, seconds));
-    report(Arrays.copyOfRange(clock, frames / 2, frames), Arrays.copyOfRange(busy, frames / 2, frames), load, build, share(scene, camera));
+    report(Arrays.copyOfRange(clock, frames / 2, frames), Arrays.copyOfRange(busy, frames / 2, frames), load, build, share(image));
     try (OutputStream stream = Files.newOutputStream(out)) {
       PngWriter.write(image, stream);
     }
@@ -90,11 +97,13 @@ final class Bench {
         rays / clock[clock.length / 2], rays * busy.length / Arrays.stream(busy).sum(), build, load, hits);
   }
 
-  /** Share of the pixels whose ray meets something: in a picture of the same over a background that shows. */
-  private double share(final Group3D scene, final Camera camera) {
-    final Image image = new Image(work.width(), work.height(), new java.awt.Color(0, 0, 0, 0));
-    image.synthesis(scene, camera);
+  /** Share of the pixels that do not have the colour of the background. */
+  private double share(final Image image) {
     final int[] pixels = image.getRGB(0, 0, work.width(), work.height(), null, 0, work.width());
-    return (double) Arrays.stream(pixels).filter(argb -> argb != 0).count() / pixels.length;
+    int hits = 0;
+    for (final int argb : pixels) {
+      hits += argb == work.background().getRGB() ? 0 : 1;
+    }
+    return (double) hits / pixels.length;
   }
 }

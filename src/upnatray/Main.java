@@ -3,6 +3,7 @@ package upnatray;
 import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
@@ -35,6 +36,9 @@ public final class Main {
 
   /** Does what a command line asks for and answers the exit status. */
   static int run(final String... args) {
+    if (args.length > 0 && args[0].equals("--bench")) {
+      return Bench.run(Arrays.copyOfRange(args, 1, args.length));
+    }
     try {
       final Options options = Options.of(args);
       if (options.help()) {
