@@ -289,7 +289,7 @@ public class AffineTransformation extends Object3D {
 
   @Override
   public BoundingBox getBoundingBox() {
-    final BoundingBox box = object.getBoundingBox();
+    final BoundingBox box = GroupMembers.boxOf(object);
     if (!box.isFinite()) {
       return box;
     }

@@ -32,7 +32,7 @@ final class Facets {
       facets.read(facet, corners, at);
       at += 3;
     }
-    return MeshArrays.checked(coordinates, corners);
+    return MeshArrays.checked(coordinates, "facetas", corners);
   }
 
   private float[] number(final Map<Integer, Point3D> vertices) {

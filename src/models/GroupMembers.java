@@ -123,7 +123,8 @@ final class GroupMembers {
     return members;
   }
 
-  private static BoundingBox boxOf(final Object3D object) {
+  /** Box of an object, where one of somebody else's may answer null. */
+  static BoundingBox boxOf(final Object3D object) {
     final BoundingBox box = object.getBoundingBox();
     return box == null ? BoundingBox.UNBOUNDED : box;
   }

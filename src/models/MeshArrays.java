@@ -20,7 +20,7 @@ final class MeshArrays {
    * @param given vertex numbers, three to a triangle
    * @throws IllegalArgumentException if something is wrong with them; see {@link TriangularMesh#of}
    */
-  static MeshArrays checked(final float[] coordinates, final int[] given) {
+  static MeshArrays checked(final float[] coordinates, final String name, final int[] given) {
     if (coordinates.length % 3 != 0 || given.length % 3 != 0) {
       throw wrong("triples", coordinates.length, given.length);
     }
@@ -40,7 +40,7 @@ final class MeshArrays {
       }
     }
     if (end == 0) {
-      throw wrong("noTriangle", given.length / 3);
+      throw wrong("noTriangle", name, given.length / 3);
     }
     return new MeshArrays(coordinates, end == corners.length ? corners : java.util.Arrays.copyOf(corners, end));
   }

@@ -74,7 +74,8 @@ public class TriangularMesh extends Object3D {
    *     corner names no vertex, or if no triangle has an area
    */
   public static TriangularMesh of(final float[] coordinates, final int[] corners, final Color color) {
-    return new TriangularMesh(MeshArrays.checked(notNull("coordinates", coordinates), notNull("corners", corners)), color);
+    notNull("coordinates", coordinates);
+    return new TriangularMesh(MeshArrays.checked(coordinates, "corners", notNull("corners", corners)), color);
   }
 
   /**
