@@ -1,0 +1,148 @@
+package window;
+
+import java.util.List;
+import java.util.Locale;
+
+import javax.swing.tree.DefaultMutableTreeNode;
+
+import inspection.ColourStep;
+import inspection.Finding;
+import inspection.Formula;
+import inspection.Inspection;
+import inspection.LocalRay;
+import inspection.Meeting;
+import inspection.PixelRay;
+import models.March;
+import primitives.Point3D;
+import primitives.Vector3D;
+import tracer.Hit;
+import tracer.Ray;
+
+/** What is known of a pixel as a tree of lines of text. */
+final class InspectionTree {
+
+  /** Steps of a march that are listed, at most: the plot shows them all. */
+  private static final int MOST_STEPS = 200;
+
+  /** A line about a meeting, so that what is selected in the tree can be told. */
+  record MeetingLine(Meeting meeting, String text) {
+    @Override
+    public String toString() {
+      return text;
+    }
+  }
+
+  private InspectionTree() {
+  }
+
+  static DefaultMutableTreeNode of(final Inspection inspection) {
+    final PixelRay pixel = inspection.pixel();
+    final DefaultMutableTreeNode root = node("inspect.pixel", pixel.m(), pixel.n(), pixel.W(), pixel.H());
+    root.add(ray(pixel));
+    root.add(meetings(inspection));
+    root.add(colour(inspection));
+    return root;
+  }
+
+  private static DefaultMutableTreeNode node(final String key, final Object... parts) {
+    return new DefaultMutableTreeNode(Messages.text(key, parts));
+  }
+
+  private static void add(final DefaultMutableTreeNode parent, final String text) {
+    parent.add(new DefaultMutableTreeNode(text));
+  }
+
+  private static DefaultMutableTreeNode ray(final PixelRay pixel) {
+    final DefaultMutableTreeNode node = node("inspect.ray", pixel.projection());
+    for (final Formula formula : pixel.formulas()) {
+      final StringBuilder line = new StringBuilder(formula.symbol());
+      line.append(formula.general().isEmpty() ? "" : " = " + formula.general());
+      line.append(formula.numbers().isEmpty() ? "" : " = " + formula.numbers());
+      line.append(formula.value().equals(formula.general()) ? "" : " = " + formula.value());
+      add(node, line.toString());
+    }
+    if (pixel.ray() == Ray.NORAY) {
+      node.add(node("inspect.noRay"));
+    } else {
+      node.add(node("inspect.given", text(pixel.ray().getStartingPoint()), text(pixel.ray().getDirection())));
+    }
+    return node;
+  }
+
+  private static DefaultMutableTreeNode meetings(final Inspection inspection) {
+    final List<Meeting> meetings = inspection.meetings();
+    final DefaultMutableTreeNode node = node("inspect.meetings", meetings.size(), inspection.tests());
+    int number = 0;
+    for (final Meeting meeting : meetings) {
+      node.add(meeting(meeting, ++number));
+    }
+    return node;
+  }
+
+  private static DefaultMutableTreeNode meeting(final Meeting meeting, final int number) {
+    final String name = meeting.name().isEmpty() ? "" : " \u201c" + meeting.name() + "\u201d";
+    final String t = meeting.hit().hits() ? "t = " + meeting.hit().getT() : Messages.text("inspect.noHit");
+    final String mark = meeting.winner() ? "  \u2605 " + Messages.text("inspect.winner") : "";
+    final DefaultMutableTreeNode node = new DefaultMutableTreeNode(new MeetingLine(meeting, number + ". "
+        + meeting.object().getClass().getSimpleName() + name + ": " + t + mark));
+    for (final Finding finding : meeting.findings()) {
+      add(node, "\u26a0 " + Messages.text("finding." + finding, meeting.failure()));
+    }
+    addHit(node, meeting.hit());
+    add(node, meeting.object().toString());
+    for (final LocalRay frame : meeting.frames()) {
+      node.add(frame(frame));
+    }
+    meeting.march().ifPresent(march -> node.add(march(march)));
+    return node;
+  }
+
+  private static void addHit(final DefaultMutableTreeNode node, final Hit hit) {
+    if (hit.hits()) {
+      node.add(node("inspect.point", text(hit.getPoint())));
+      node.add(node("inspect.normal", text(hit.getNormal())));
+    }
+  }
+
+  private static DefaultMutableTreeNode frame(final LocalRay frame) {
+    final DefaultMutableTreeNode node = node("inspect.frame");
+    node.add(node("inspect.given", text(frame.ray().getStartingPoint()), text(frame.ray().getDirection())));
+    if (frame.hit().hits()) {
+      add(node, "t = " + frame.hit().getT());
+    }
+    addHit(node, frame.hit());
+    return node;
+  }
+
+  private static DefaultMutableTreeNode march(final March march) {
+    final DefaultMutableTreeNode node = node("inspect.march", march.steps().size(), Messages.text("march." + march.end()));
+    int number = 0;
+    for (final March.Step step : march.steps().subList(0, Math.min(MOST_STEPS, march.steps().size()))) {
+      add(node, String.format(Locale.ROOT, "%d: t = %.6g, SDF = %.6g", ++number, step.t(), step.distance()));
+    }
+    return node;
+  }
+
+  private static DefaultMutableTreeNode colour(final Inspection inspection) {
+    final DefaultMutableTreeNode node = node("inspect.colour", colour(inspection.argb()));
+    for (final ColourStep step : inspection.colour()) {
+      final String number = String.format(Locale.ROOT, "%.6f", step.number());
+      add(node, Messages.text("colour." + step.kind(), number, colour(step.argb())));
+    }
+    return node;
+  }
+
+  /** A colour as red, green, blue, and alpha if it is not opaque. */
+  static String colour(final int argb) {
+    final String rgb = (argb >> 16 & 0xff) + " " + (argb >> 8 & 0xff) + " " + (argb & 0xff);
+    return argb >>> 24 == 0xff ? rgb : rgb + " \u03b1 " + (argb >>> 24);
+  }
+
+  private static String text(final Point3D P) {
+    return "(" + P.x + ", " + P.y + ", " + P.z + ")";
+  }
+
+  private static String text(final Vector3D v) {
+    return "(" + v.x + ", " + v.y + ", " + v.z + ")";
+  }
+}

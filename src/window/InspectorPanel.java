@@ -1,0 +1,137 @@
+package window;
+
+import java.awt.BorderLayout;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Toolkit;
+import java.awt.datatransfer.StringSelection;
+import java.util.Optional;
+
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTree;
+import javax.swing.tree.DefaultMutableTreeNode;
+import javax.swing.tree.DefaultTreeCellRenderer;
+import javax.swing.tree.DefaultTreeModel;
+import javax.swing.tree.TreePath;
+
+import inspection.Inspection;
+import inspection.Meeting;
+import inspection.TestText;
+
+/** Shows what is known of the pinned pixel. */
+final class InspectorPanel extends JPanel {
+
+  private static final long serialVersionUID = 1L;
+
+  private final JLabel heading = new JLabel();
+  private final JLabel swatch = new JLabel("      ");
+  private final JTree tree = new JTree(new DefaultMutableTreeNode());
+  private final MarchPlot plot = new MarchPlot();
+  private final JButton copy = new JButton(Messages.text("copyTest.text"));
+  private transient Inspection inspection;
+
+  InspectorPanel() {
+    super(new BorderLayout(0, 4));
+    setName("inspector");
+    setPreferredSize(new Dimension(420, 400));
+    setBorder(BorderFactory.createEmptyBorder(6, 8, 6, 8));
+    final JPanel top = new JPanel(new BorderLayout(8, 0));
+    swatch.setOpaque(true);
+    swatch.setVisible(false);
+    top.add(heading, BorderLayout.CENTER);
+    top.add(swatch, BorderLayout.EAST);
+    add(top, BorderLayout.NORTH);
+    add(new JScrollPane(tree), BorderLayout.CENTER);
+    final JPanel bottom = new JPanel(new BorderLayout(0, 4));
+    bottom.add(plot, BorderLayout.CENTER);
+    bottom.add(copy, BorderLayout.SOUTH);
+    add(bottom, BorderLayout.SOUTH);
+    prepareTree();
+    copy.setName("copyTest");
+    copy.setToolTipText(Messages.text("copyTest.tip"));
+    copy.addActionListener(event -> copyTest());
+    clear();
+  }
+
+  private void prepareTree() {
+    tree.setName("inspection");
+    tree.setRootVisible(false);
+    tree.setShowsRootHandles(true);
+    tree.getAccessibleContext().setAccessibleName(Messages.text("inspector.name"));
+    final DefaultTreeCellRenderer plain = new DefaultTreeCellRenderer();
+    plain.setLeafIcon(null);
+    plain.setOpenIcon(null);
+    plain.setClosedIcon(null);
+    tree.setCellRenderer(plain);
+    tree.addTreeSelectionListener(event -> showMarch());
+  }
+
+  /** Shows nothing but how to begin. */
+  void clear() {
+    inspection = null;
+    heading.setText(Messages.text("inspector.empty"));
+    swatch.setVisible(false);
+    tree.setModel(new DefaultTreeModel(new DefaultMutableTreeNode()));
+    copy.setEnabled(false);
+    plot.setMarch(null);
+  }
+
+  void show(final Inspection next) {
+    inspection = next;
+    final DefaultMutableTreeNode root = InspectionTree.of(next);
+    heading.setText(root.toString());
+    swatch.setBackground(new Color(next.argb()));
+    swatch.setToolTipText(InspectionTree.colour(next.argb()));
+    swatch.setVisible(true);
+    tree.setModel(new DefaultTreeModel(root));
+    expand(root);
+    copy.setEnabled(selected().isPresent());
+    showMarch();
+  }
+
+  /** Opens the sections and the winner. */
+  private void expand(final DefaultMutableTreeNode root) {
+    for (int i = 0; i < root.getChildCount(); i++) {
+      final DefaultMutableTreeNode section = (DefaultMutableTreeNode) root.getChildAt(i);
+      tree.expandPath(new TreePath(section.getPath()));
+      for (int k = 0; k < section.getChildCount(); k++) {
+        final DefaultMutableTreeNode line = (DefaultMutableTreeNode) section.getChildAt(k);
+        if (line.getUserObject() instanceof InspectionTree.MeetingLine found
+            && (found.meeting().winner() || !found.meeting().findings().isEmpty())) {
+          tree.expandPath(new TreePath(line.getPath()));
+        }
+      }
+    }
+  }
+
+  /** The meeting that is selected in the tree, or else the winner, or else the first. */
+  Optional<Meeting> selected() {
+    final TreePath path = tree.getSelectionPath();
+    if (path != null) {
+      for (final Object node : path.getPath()) {
+        if (((DefaultMutableTreeNode) node).getUserObject() instanceof InspectionTree.MeetingLine line) {
+          return Optional.of(line.meeting());
+        }
+      }
+    }
+    if (inspection == null) {
+      return Optional.empty();
+    }
+    return inspection.winner().or(() -> inspection.meetings().stream().findFirst());
+  }
+
+  private void showMarch() {
+    plot.setMarch(selected().flatMap(Meeting::march).orElse(null));
+    copy.setEnabled(selected().isPresent());
+  }
+
+  /** Puts the test of the selected meeting on the clipboard. */
+  void copyTest() {
+    selected().ifPresent(meeting -> Toolkit.getDefaultToolkit().getSystemClipboard()
+        .setContents(new StringSelection(TestText.of(inspection, meeting)), null));
+  }
+}

@@ -1,0 +1,153 @@
+package window;
+
+import java.awt.event.KeyEvent;
+import java.nio.file.Path;
+import java.util.EnumMap;
+import java.util.Map;
+
+import javax.swing.ActionMap;
+import javax.swing.ButtonGroup;
+import javax.swing.InputMap;
+import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JComponent;
+import javax.swing.JMenu;
+import javax.swing.JMenuBar;
+import javax.swing.JMenuItem;
+import javax.swing.JRadioButtonMenuItem;
+import javax.swing.KeyStroke;
+
+import upnatray.View;
+
+/** The menus: everything that the window can do, each with its key. */
+final class MenuBar extends JMenuBar {
+
+  private static final long serialVersionUID = 1L;
+
+  private static final double STEP = 2;
+
+  private final transient RenderWindow window;
+  private final JMenu recent = menu("recent");
+  private final Map<View, JMenuItem> views = new EnumMap<>(View.class);
+
+  MenuBar(final RenderWindow window) {
+    this.window = window;
+    add(fileMenu());
+    add(viewMenu());
+    add(pixelMenu());
+    fillRecent();
+    bindKeys(window.view());
+  }
+
+  private static JMenu menu(final String key) {
+    final JMenu menu = new JMenu(Messages.text(key + ".text"));
+    menu.setName(key);
+    menu.setMnemonic(Messages.text(key + ".mnemonic").charAt(0));
+    return menu;
+  }
+
+  private JMenu fileMenu() {
+    final JMenu menu = menu("file");
+    menu.add(Command.ofMenu("open", KeyEvent.VK_O, window::chooseScene));
+    menu.add(recent);
+    menu.addSeparator();
+    menu.add(window.renderCommand());
+    menu.add(window.cancelCommand());
+    menu.addSeparator();
+    menu.add(Command.ofMenu("save", KeyEvent.VK_S, window::choosePicture));
+    menu.add(Command.ofMenu("copy", KeyEvent.VK_C, window::copyPicture));
+    menu.add(Command.ofMenu("compare", KeyEvent.VK_D, window::chooseReference));
+    menu.addSeparator();
+    menu.add(Command.ofMenu("quit", KeyEvent.VK_Q, window::close));
+    return menu;
+  }
+
+  /** Lists the scenes opened last. */
+  void fillRecent() {
+    recent.removeAll();
+    for (final Path path : window.settings().recent()) {
+      final JMenuItem item = recent.add(path.toString());
+      item.addActionListener(event -> window.open(path));
+    }
+    if (recent.getItemCount() == 0) {
+      recent.add(Messages.text("recent.none")).setEnabled(false);
+    }
+  }
+
+  private JMenu viewMenu() {
+    final JMenu menu = menu("view");
+    final ButtonGroup group = new ButtonGroup();
+    for (final View what : View.values()) {
+      final JMenuItem item = new JRadioButtonMenuItem(
+          Command.of("view." + what, "alt " + (what.ordinal() + 1), () -> window.setWhat(what)));
+      item.setSelected(what == window.what());
+      group.add(item);
+      views.put(what, menu.add(item));
+    }
+    menu.addSeparator();
+    menu.add(Command.ofMenu("fit", KeyEvent.VK_0, window.view()::fit));
+    menu.add(Command.ofMenu("oneToOne", KeyEvent.VK_1, window.view()::oneToOne));
+    menu.add(Command.ofMenu("zoomIn", KeyEvent.VK_PLUS, () -> window.view().zoomBy(STEP)));
+    menu.add(Command.ofMenu("zoomOut", KeyEvent.VK_MINUS, () -> window.view().zoomBy(1 / STEP)));
+    menu.addSeparator();
+    menu.add(Command.ofMenu("outside", KeyEvent.VK_E, window::showOutside));
+    final JCheckBoxMenuItem dark = new JCheckBoxMenuItem(Command.ofMenu("dark", KeyEvent.VK_L, window::switchTheme));
+    dark.setSelected(window.settings().isDark());
+    menu.add(dark);
+    return menu;
+  }
+
+  private JMenu pixelMenu() {
+    final JMenu menu = menu("pixel");
+    menu.add(Command.of("pin", "ctrl P", () -> window.view().pinBeside(0, 0)));
+    menu.add(Command.of("unpin", "ctrl U", window::unpin));
+    menu.add(Command.ofMenu("copyTest", KeyEvent.VK_T, window.inspector()::copyTest));
+    return menu;
+  }
+
+  /** Shows what is shown. */
+  void select(final View what) {
+    views.get(what).setSelected(true);
+  }
+
+  /** Keys that count while the picture has the focus: arrows pin the next pixel, with shift they move the picture. */
+  private static void bindKeys(final PictureView view) {
+    final int far = 48;
+    bind(view, "LEFT", () -> view.pinBeside(-1, 0));
+    bind(view, "RIGHT", () -> view.pinBeside(1, 0));
+    bind(view, "UP", () -> view.pinBeside(0, -1));
+    bind(view, "DOWN", () -> view.pinBeside(0, 1));
+    bind(view, "ENTER", () -> view.pinBeside(0, 0));
+    bind(view, "shift LEFT", () -> view.moveBy(far, 0));
+    bind(view, "shift RIGHT", () -> view.moveBy(-far, 0));
+    bind(view, "shift UP", () -> view.moveBy(0, far));
+    bind(view, "shift DOWN", () -> view.moveBy(0, -far));
+    bind(view, "typed +", () -> view.zoomBy(STEP));
+    bind(view, "typed -", () -> view.zoomBy(1 / STEP));
+    bind(view, "typed 0", view::fit);
+    bind(view, "typed 1", view::oneToOne);
+  }
+
+  private static void bind(final JComponent component, final String key, final Runnable job) {
+    final InputMap keys = component.getInputMap(JComponent.WHEN_FOCUSED);
+    final ActionMap actions = component.getActionMap();
+    keys.put(KeyStroke.getKeyStroke(key), key);
+    actions.put(key, new KeyAction(job));
+  }
+
+  /** What a key does. */
+  private static final class KeyAction extends javax.swing.AbstractAction {
+
+    private static final long serialVersionUID = 1L;
+
+    private final transient Runnable job;
+
+    KeyAction(final Runnable job) {
+      this.job = job;
+    }
+
+    @Override
+    public void actionPerformed(final java.awt.event.ActionEvent event) {
+      job.run();
+    }
+  }
+}

@@ -1,0 +1,95 @@
+package window;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.util.ArrayList;
+import java.util.List;
+
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.table.AbstractTableModel;
+
+import scenes.Problem;
+
+/** The list of what is wrong with a scene: file, line, column, message. It is there only if something is. */
+final class ProblemTable extends JPanel {
+
+  private static final long serialVersionUID = 1L;
+
+  private static final String[] COLUMNS = {"kind", "file", "line", "column", "message"};
+  private static final int[] WIDTHS = {70, 160, 50, 60, 800};
+
+  /** The rows. */
+  private static final class Rows extends AbstractTableModel {
+
+    private static final long serialVersionUID = 1L;
+
+    private transient List<Problem> problems = new ArrayList<>();
+
+    @Override
+    public int getRowCount() {
+      return problems.size();
+    }
+
+    @Override
+    public int getColumnCount() {
+      return COLUMNS.length;
+    }
+
+    @Override
+    public String getColumnName(final int column) {
+      return Messages.text("problems." + COLUMNS[column]);
+    }
+
+    @Override
+    public Object getValueAt(final int row, final int column) {
+      final Problem problem = problems.get(row);
+      return switch (column) {
+        case 0 -> Messages.text("problems." + problem.severity());
+        case 1 -> problem.file();
+        case 2 -> problem.line() == 0 ? "" : problem.line();
+        case 3 -> problem.column() == 0 ? "" : problem.column();
+        default -> problem.message();
+      };
+    }
+  }
+
+  private final Rows rows = new Rows();
+  private final JTable table = new JTable(rows) {
+    private static final long serialVersionUID = 1L;
+
+    /** A message may be longer than its column. */
+    @Override
+    public String getToolTipText(final java.awt.event.MouseEvent event) {
+      final int row = rowAtPoint(event.getPoint());
+      return row < 0 ? null : rows.problems.get(row).toString();
+    }
+  };
+
+  ProblemTable() {
+    super(new BorderLayout());
+    table.setName("problems");
+    table.getAccessibleContext().setAccessibleName(Messages.text("problems.name"));
+    table.setFillsViewportHeight(true);
+    for (int i = 0; i < WIDTHS.length; i++) {
+      table.getColumnModel().getColumn(i).setPreferredWidth(WIDTHS[i]);
+    }
+    add(new JScrollPane(table));
+    setPreferredSize(new Dimension(600, 120));
+    setVisible(false);
+  }
+
+  void show(final List<Problem> problems) {
+    rows.problems = List.copyOf(problems);
+    rows.fireTableDataChanged();
+    setVisible(!problems.isEmpty());
+    if (getParent() != null) {
+      getParent().revalidate();
+    }
+  }
+
+  JTable table() {
+    return table;
+  }
+}

@@ -1,0 +1,94 @@
+package window;
+
+import java.awt.Dimension;
+import java.awt.Point;
+import java.util.Locale;
+
+import javax.swing.Action;
+import javax.swing.BorderFactory;
+import javax.swing.Box;
+import javax.swing.BoxLayout;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+
+import upnatray.RenderJob;
+
+/** The line at the foot of the window: the pixel under the pointer, how far the rendering is, and what it did. */
+final class StatusBar extends JPanel {
+
+  private static final long serialVersionUID = 1L;
+
+  private static final int STEPS = 1000;
+
+  private final JLabel pixel = new JLabel(" ");
+  private final JLabel zoom = new JLabel(" ");
+  private final JLabel text = new JLabel(" ");
+  private final JProgressBar progress = new JProgressBar(0, STEPS);
+  private final JButton cancel;
+
+  StatusBar(final Action cancelling) {
+    setLayout(new BoxLayout(this, BoxLayout.X_AXIS));
+    setBorder(BorderFactory.createEmptyBorder(3, 8, 3, 8));
+    pixel.setName("pixel");
+    text.setName("status");
+    progress.setName("progress");
+    progress.getAccessibleContext().setAccessibleName(Messages.text("progress.name"));
+    progress.setMaximumSize(new Dimension(180, 18));
+    progress.setPreferredSize(new Dimension(180, 18));
+    cancel = new JButton(cancelling);
+    cancel.setName("cancel");
+    cancel.setHideActionText(false);
+    add(pixel);
+    add(Box.createHorizontalStrut(24));
+    add(zoom);
+    add(Box.createHorizontalGlue());
+    add(text);
+    add(Box.createHorizontalStrut(12));
+    add(progress);
+    add(Box.createHorizontalStrut(6));
+    add(cancel);
+    setRunning(false);
+  }
+
+  /** Shows a pixel in the convention of the assignment, row 0 at the bottom; null for none. */
+  void showPixel(final Point place, final int H, final int argb) {
+    pixel.setText(place == null ? " " : Messages.text("status.pixel", place.x, H - 1 - place.y,
+        InspectionTree.colour(argb), String.format(Locale.ROOT, "#%08x", argb)));
+  }
+
+  void showZoom(final double magnification) {
+    zoom.setText(String.format(Locale.ROOT, "%.4g %%", 100 * magnification));
+  }
+
+  void setRunning(final boolean running) {
+    progress.setVisible(running);
+    cancel.setVisible(running);
+  }
+
+  void showProgress(final RenderJob job) {
+    progress.setValue((int) (STEPS * job.share()));
+    final double left = job.secondsLeft();
+    text.setText(Messages.text("status.progress", (int) (100 * job.share()),
+        left < Double.POSITIVE_INFINITY ? seconds(left) : "?", rays(job.raysPerSecond())));
+  }
+
+  void showFinished(final RenderJob job, final boolean completed) {
+    text.setText(Messages.text(completed ? "status.finished" : "status.cancelled", job.image().getWidth(),
+        job.image().getHeight(), seconds(job.seconds()), rays(job.raysPerSecond())));
+  }
+
+  void showText(final String message) {
+    text.setText(message);
+  }
+
+  private static String seconds(final double seconds) {
+    return seconds < 60 ? String.format(Locale.ROOT, seconds < 1 ? "%.3f s" : "%.1f s", seconds)
+        : String.format(Locale.ROOT, "%d:%02d min", (long) seconds / 60, (long) seconds % 60);
+  }
+
+  private static String rays(final double rays) {
+    return rays < 1e6 ? String.format(Locale.ROOT, "%.0f k", rays * 1e-3) : String.format(Locale.ROOT, "%.2f M", rays * 1e-6);
+  }
+}

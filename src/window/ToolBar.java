@@ -1,0 +1,105 @@
+package window;
+
+import java.awt.Component;
+import java.awt.event.ActionListener;
+import java.util.Optional;
+
+import javax.swing.DefaultListCellRenderer;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JToolBar;
+
+import upnatray.View;
+
+/** The bar under the menus: render, size, what to show, zoom. */
+final class ToolBar extends JToolBar {
+
+  private static final long serialVersionUID = 1L;
+
+  private final transient RenderWindow window;
+  private final JComboBox<String> size = new JComboBox<>(new String[] {"25 %", "50 %", "100 %", "200 %", "640 x 480",
+      "1920 x 1080"});
+  private final JComboBox<View> what = new JComboBox<>(View.values());
+  private boolean selecting;
+
+  ToolBar(final RenderWindow window) {
+    this.window = window;
+    setName("tools");
+    setFloatable(false);
+    addButton("open", window::chooseScene);
+    add(new JButton(window.renderCommand())).setName("render");
+    addButton("save", window::choosePicture);
+    addSeparator();
+    size.setName("size");
+    size.setEditable(true);
+    size.setSelectedItem(PictureSize.OWN.toString());
+    size.setMaximumSize(size.getPreferredSize());
+    addLabelled("size", size, event -> takeSize());
+    addSeparator();
+    what.setName("what");
+    what.setSelectedItem(window.what());
+    what.setRenderer(new ViewNames());
+    what.setMaximumSize(what.getPreferredSize());
+    addLabelled("what", what, event -> takeWhat());
+    addSeparator();
+    addButton("fit", () -> window.view().fit());
+    addButton("oneToOne", () -> window.view().oneToOne());
+    addButton("outside", window::showOutside);
+    addButton("compare", window::chooseReference);
+  }
+
+  private void addButton(final String key, final Runnable job) {
+    add(new JButton(Command.of(key, "", job))).setName(key);
+  }
+
+  private void addLabelled(final String key, final JComboBox<?> box, final ActionListener listener) {
+    final JLabel label = new JLabel(Messages.text(key + ".label") + " ");
+    label.setLabelFor(box);
+    box.setToolTipText(Messages.text(key + ".tip"));
+    box.getAccessibleContext().setAccessibleName(Messages.text(key + ".label"));
+    box.addActionListener(listener);
+    add(label);
+    add(box);
+  }
+
+  /** Takes a size that was chosen or written; what is none goes back to the one before. */
+  private void takeSize() {
+    final Optional<PictureSize> wanted = PictureSize.of(String.valueOf(size.getSelectedItem()));
+    if (wanted.isPresent()) {
+      window.setPictureSize(wanted.get());
+    } else {
+      size.setSelectedItem(PictureSize.OWN.toString());
+    }
+  }
+
+  private void takeWhat() {
+    if (!selecting && what.getSelectedItem() instanceof View view && view != window.what()) {
+      window.setWhat(view);
+    }
+  }
+
+  void select(final View view) {
+    selecting = true;
+    what.setSelectedItem(view);
+    selecting = false;
+  }
+
+  void select(final PictureSize wanted) {
+    size.setSelectedItem(wanted.toString());
+  }
+
+  /** Shows the views by their names. */
+  private static final class ViewNames extends DefaultListCellRenderer {
+
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public Component getListCellRendererComponent(final JList<?> list, final Object value, final int index,
+        final boolean isSelected, final boolean cellHasFocus) {
+      final String name = value == null ? "" : Messages.text("view." + value + ".text");
+      return super.getListCellRendererComponent(list, name, index, isSelected, cellHasFocus);
+    }
+  }
+}
