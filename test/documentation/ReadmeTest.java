@@ -1,0 +1,97 @@
+package documentation;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.text.MessageFormat;
+import java.util.List;
+import java.util.Locale;
+import java.util.ResourceBundle;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+import org.junit.jupiter.api.Test;
+
+/** The README agrees with what is there. */
+class ReadmeTest {
+
+  private static final Path SCENES = Path.of("scenes");
+  private static final Path GALLERY = Path.of("doc", "gallery");
+  private static final int LARGEST_PICTURE = 60_000;
+
+  private final Readme readme;
+
+  ReadmeTest() throws IOException {
+    readme = new Readme();
+  }
+
+  private static Set<String> names(final Path folder, final String ending) throws IOException {
+    try (Stream<Path> files = Files.list(folder)) {
+      return files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(ending))
+          .map(name -> name.substring(0, name.length() - ending.length())).collect(Collectors.toCollection(TreeSet::new));
+    }
+  }
+
+  @Test
+  void linksLeadToFiles() {
+    final List<String> links = readme.all("\\]\\(([^)#:]+)\\)");
+    assertTrue(links.size() > 20, links.toString());
+    assertEquals(List.of(), links.stream().filter(link -> !Files.isRegularFile(Path.of(link))).collect(Collectors.toList()));
+  }
+
+  @Test
+  void galleryShowsEachSceneOnce() throws IOException {
+    final List<String> rows = readme.all(
+        "^\\| !\\[\\w+\\]\\(doc/gallery/(\\w+)\\.png\\) \\| \\[\\1\\.xml\\]\\(scenes/\\1\\.xml\\): .+\\.");
+    assertEquals(names(SCENES, ".xml"), new TreeSet<>(rows));
+    assertEquals(rows.size(), new TreeSet<>(rows).size());
+    assertEquals(names(SCENES, ".xml"), names(GALLERY, ".png"));
+  }
+
+  @Test
+  void picturesAreSmall() throws IOException {
+    for (final String name : names(GALLERY, ".png")) {
+      final long size = Files.size(GALLERY.resolve(name + ".png"));
+      assertTrue(size <= LARGEST_PICTURE, name + " has " + size + " bytes");
+    }
+  }
+
+  @Test
+  void commandsForANewMachineStandNearTheTop() {
+    final String install = "apt-get update && apt-get install -y ant ant-optional ivy && ";
+    assertEquals(List.of(install + "./UPNaTRay scenes/shapes.xml --no-window\n", install + "ant test\n"),
+        readme.blocks("sh"));
+  }
+
+  /** In English, whatever language the tests run in. */
+  @Test
+  void helpIsThatOfTheProgram() {
+    final ResourceBundle messages = ResourceBundle.getBundle("upnatray.messages", Locale.ROOT);
+    final String help = new MessageFormat(messages.getString("usage") + "\n", Locale.ROOT).format(null);
+    assertEquals(List.of(help), readme.blocks("text"));
+  }
+
+  @Test
+  void antKnowsTheTargetsThatItIsGiven() throws IOException {
+    final String build = Files.readString(Path.of("build.xml"));
+    final List<String> targets = readme.all("`ant ([a-z-]{3,})`");
+    assertTrue(targets.size() > 6, targets.toString());
+    assertEquals(List.of(), targets.stream().filter(target -> !build.contains("<target name=\"" + target + "\""))
+        .collect(Collectors.toList()));
+  }
+
+  @Test
+  void eachLibraryIsNamed() throws IOException {
+    final List<String> named = readme.all("^\\| (\\w+) \\| [^|]+ \\|$").stream().map(name -> name.toLowerCase(Locale.ROOT))
+        .collect(Collectors.toList());
+    final String ivy = Files.readString(Path.of("ivy.xml"));
+    for (final String library : List.of("vecmath", "junit", "jacoco", "spotbugs", "jmh")) {
+      assertTrue(named.contains(library) && ivy.contains(library), library);
+    }
+  }
+}

@@ -1,0 +1,2 @@
+/** The documents of the project keep their word: their examples compile and run, their links lead somewhere. */
+package documentation;
