@@ -4,6 +4,7 @@ import static arguments.Arguments.notNull;
 import static arguments.Arguments.positive;
 
 import java.awt.Color;
+import java.util.List;
 
 import primitives.BoundingBox;
 import primitives.Point3D;
@@ -19,52 +20,23 @@ import tracer.Ray;
  * D² = (ρ − R)² + h², and {@link #SDF} is D − r: the exact distance, except inside a torus with r &gt; R, where it is a
  * bound.
  *
- * <p>The march is sphere tracing whose steps know the direction. Hart's step from a point ends where the ray leaves a
- * sphere known to be empty, of radius |SDF|. Here the region known to be empty is larger, and the ray leaves it at the
- * root of a quadratic. Along the ray D² is a quadratic less 2 R ρ, so all that is needed are bounds of ρ:
- * <ul>
- * <li>outside, ρ ≤ (ρ² + ρ₀²) / 2ρ₀ for any ρ₀ &gt; 0. With it D² ≤ r² becomes a quadric of revolution that contains the
- *     torus and touches it all along the circles of radius ρ₀. So a step cannot pass the surface, however thin the
- *     torus; and a ray that misses the quadric, or has left it behind, misses the torus;</li>
- * <li>inside, ρ ≥ ρ₀ + ρ₀′ s + ½ m s² with the least m that ρ″ has on the ray within the torus.</li>
- * </ul>
- * Both bounds touch at the point where the march is, so the steps shrink quadratically on the way to a crossing. Towards
- * a point of tangency they halve, which a double can bear some 50 times.
- *
- * <p>Source of the scheme: Hart, "Sphere tracing", The Visual Computer 12, 1996; the bound of ρ is the inequality
- * between the geometric and the arithmetic mean.
+ * <p>The march is sphere tracing whose steps know the direction of the ray: see {@link TorusMarch}.
  */
 public class Torus extends ProceduralObject3D {
-
-  /** Bound of the steps. The halving towards a tangency takes the most of them; no ray was seen to need half as many. */
-  private static final int STEPS = 200;
-
-  /** Error of the distance at which the march ends, as a part of ρ, so that it stays small next to a cusp on the axis. */
-  private static final double CLOSE = 0x1p-25;
-
-  /** Part of R + r below which ρ no longer counts for {@link #CLOSE}. */
-  private static final double CUSP = 0x1p-20;
 
   /** A ray whose direction has a smaller component along the axis has one height from end to end. */
   private static final double LEVEL = 0x1p-100;
 
-  /** Rounding errors of D² − r², as a part of (R + r) r: two squares of differences that are off by 2⁻⁵² (R + r). */
-  private static final double NOISE = 0x1p-49;
-
   /** Rounding errors of {@link #SDF}, as a part of the distance from the centre plus R + r. */
   private static final double SDF_NOISE = 0x1p-49;
-
-  /** How far ahead it is decided on which side a ray begins that starts on the surface, as a part of √((R + r) r). */
-  private static final double AHEAD = 0x1p-23;
 
   private final Axis axis;
   private final double R;
   private final double r;
   private final double outer;
   private final double outer2;
-  private final double inner;
   private final double inner2;
-  private final double quarter;
+  private final TorusMarch march;
 
   /**
    * A torus.
@@ -84,9 +56,8 @@ public class Torus extends ProceduralObject3D {
     this.r = positive("r", r);
     this.outer = this.R + this.r;
     this.outer2 = outer * outer;
-    this.inner = Math.max(0, this.R - this.r);
-    this.inner2 = inner > 0 ? inner * inner : Double.NEGATIVE_INFINITY;
-    this.quarter = 0.25 / this.R;
+    this.inner2 = this.r < this.R ? (this.R - this.r) * (this.R - this.r) : Double.NEGATIVE_INFINITY;
+    this.march = new TorusMarch(this.R, this.r);
   }
 
   @Override
@@ -106,8 +77,10 @@ public class Torus extends ProceduralObject3D {
   @Override
   double march(final double x, final double y, final double z, final double dx, final double dy, final double dz) {
     final double lx = x - axis.x, ly = y - axis.y, lz = z - axis.z;
-    final double start = lx * dx + ly * dy + lz * dz;
-    final double px = lx - start * dx, py = ly - start * dy, pz = lz - start * dz;
+    final double about = lx * dx + ly * dy + lz * dz;
+    final double ax = lx - about * dx, ay = ly - about * dy, az = lz - about * dz;
+    final double rest = ax * dx + ay * dy + az * dz, start = about + rest;
+    final double px = ax - rest * dx, py = ay - rest * dy, pz = az - rest * dz;
     final double p2 = px * px + py * py + pz * pz, room = outer2 - p2;
     if (!(room > 0)) {
       return Double.POSITIVE_INFINITY;
@@ -142,87 +115,8 @@ public class Torus extends ProceduralObject3D {
     final double ux = scale * ex, uy = scale * ey, uz = scale * ez, place = qx * ux + qy * uy + qz * uz;
     final double sx = qx - place * ux, sy = qy - place * uy, sz = qz - place * uz;
     final double aside2 = sx * sx + sy * sy + sz * sz;
-    return enter > start ? fromOutside(enter, leave, place, speed, aside2, h, slope)
-        : fromStart(start, leave, place, speed, aside2, h, slope);
-  }
-
-  /** The march of a ray that starts close to the torus, outside or inside; on the surface, what is ahead decides. */
-  private double fromStart(final double start, final double leave, final double place, final double speed,
-      final double aside2, final double h, final double slope) {
-    double t = start, c = excess(t, place, speed, aside2, h, slope);
-    if (Math.abs(c) <= NOISE * outer * r) {
-      t += AHEAD * Math.sqrt(outer * r);
-      c = excess(t, place, speed, aside2, h, slope);
-    }
-    return c < 0 ? fromInside(t, place, speed, aside2, h, slope)
-        : fromOutside(t, leave, place, speed, aside2, h, slope);
-  }
-
-  /** D² − r² at a point of the ray. */
-  private double excess(final double t, final double place, final double speed, final double aside2, final double h,
-      final double slope) {
-    final double x = place + t * speed, height = h + t * slope, rho = Math.sqrt(x * x + aside2);
-    return (rho - R - r) * (rho - R + r) + height * height;
-  }
-
-  /**
-   * Marches outside. With ρ₀ = ρ the quadric touches the torus at the radius where the march is; in the hole, and close
-   * to the axis, one of greater radius leads farther. The step solves c + 2 b s + q s² = 0, all times ρ₀ to save a
-   * division.
-   *
-   * <p>After a step with ρ₀ = ρ what is left of D² − r² is R (ρ′s)² / ρ₀ up to terms in s³, and its slope is known as
-   * well. The last step goes that bit farther, once what it leaves out is negligible.
-   */
-  private double fromOutside(final double from, final double leave, final double place, final double speed,
-      final double aside2, final double h, final double slope) {
-    double t = from;
-    for (int i = 0; i < STEPS && t <= leave; i++) {
-      final double x = place + t * speed, height = h + t * slope, rho = Math.sqrt(x * x + aside2);
-      final double excess = (rho - R - r) * (rho - R + r) + height * height;
-      if (excess <= 0) {
-        return t;
-      }
-      final double touch = Math.max(rho, Math.max(inner, excess * quarter)), ahead = touch - rho, outwards = speed * x;
-      final double c = touch * excess - R * ahead * ahead, b = touch * t - R * outwards, q = touch - R * speed * speed;
-      final double discriminant = b * b - q * c;
-      if (b >= 0 ? q >= 0 : discriminant < 0) {
-        return Double.POSITIVE_INFINITY;
-      }
-      final double root = Math.sqrt(discriminant), s = b < 0 ? c / (root - b) : -(b + root) / q;
-      t += s;
-      final double close = CLOSE * Math.max(rho, CUSP * outer);
-      if (s <= close) {
-        return t;
-      }
-      final double rest = R * s * s, left = rest * outwards * outwards, slid = root * s * rho * rho;
-      if (ahead == 0 && rest * s <= close * root * rho && rest * rest * rho <= close * root * root * root
-          && left <= 0.5 * slid) {
-        return t + 0.5 * left * s / (slid - left);
-      }
-    }
-    return Double.POSITIVE_INFINITY;
-  }
-
-  /** Marches inside, as {@link #fromOutside} does. There is always a far wall. */
-  private double fromInside(final double from, final double place, final double speed, final double aside2,
-      final double h, final double slope) {
-    final double q = Math.max(r / outer, 1 - R * speed * speed * aside2 / (outer * outer2));
-    double t = from;
-    for (int i = 0; i < STEPS; i++) {
-      final double x = place + t * speed, height = h + t * slope, rho = Math.sqrt(x * x + aside2);
-      final double c = (rho - R - r) * (rho - R + r) + height * height;
-      if (c >= 0) {
-        break;
-      }
-      final double b = t - (rho > 0 ? R * speed * x / rho : 0);
-      final double root = Math.sqrt(b * b - q * c), s = b > 0 ? -c / (b + root) : (root - b) / q;
-      t += s;
-      final double close = CLOSE * Math.max(rho, CUSP * outer);
-      if (s <= close || R * s * s <= 2 * close * rho * root) {
-        break;
-      }
-    }
-    return t;
+    return enter > start ? march.fromOutside(enter, leave, place, speed, aside2, h, slope)
+        : march.fromStart(start, leave, place, speed, aside2, h, slope);
   }
 
   @Override
@@ -267,6 +161,11 @@ public class Torus extends ProceduralObject3D {
   public BoundingBox getBoundingBox() {
     return BoundingBox.around(axis.x, axis.y, axis.z, R * Math.hypot(axis.uy, axis.uz) + r,
         R * Math.hypot(axis.uz, axis.ux) + r, R * Math.hypot(axis.ux, axis.uy) + r);
+  }
+
+  @Override
+  public List<Object> constructorArguments() {
+    return List.of(axis.point(), axis.unit(), (float) R, (float) r, getColor());
   }
 
   @Override
