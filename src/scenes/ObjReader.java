@@ -239,16 +239,18 @@ final class ObjReader {
   private boolean toWord() throws IOException {
     while (true) {
       bytes.reserve();
-      final byte b = bytes.window[bytes.at];
-      if (b > '#' && b != '\\') {
-        return true;
-      } else if (b == ' ' || b == '\t') {
-        bytes.at++;
-      } else if (b == '\\' && continues(bytes.at)) {
+      final byte[] window = bytes.window;
+      final int last = bytes.at + ByteReader.LONGEST - 2;
+      int i = bytes.at;
+      while (i < last && (window[i] == ' ' || window[i] == '\t')) {
+        i++;
+      }
+      bytes.at = i;
+      if (window[i] == '\\' && continues(i)) {
         bytes.at++;
         endLine();
-      } else {
-        return b != '\n' && b != '\r' && b != '#';
+      } else if (i < last) {
+        return window[i] != '\n' && window[i] != '\r' && window[i] != '#';
       }
     }
   }
