@@ -35,7 +35,8 @@ class AffineTransformationTest implements Object3DContract {
 
   @Override
   public double signedDistance(final double x, final double y, final double z) {
-    final double c = Math.sqrt(0.75), px = x - 1, py = y + 1, a = (c * px + 0.5 * py) / 2, b = c * py - 0.5 * px, e = 2 * (z - 0.25);
+    final double c = Math.sqrt(0.75), px = x - 1, py = y + 1, a = (c * px + 0.5 * py) / 2, b = c * py - 0.5 * px,
+        e = 2 * (z - 0.25);
     final double k = Math.sqrt(a * a + b * b + e * e), g = Math.sqrt(a * a / 4 + b * b + 4 * e * e);
     return k < 0.01 ? -0.5 : k * (k - 1) / g;
   }
@@ -45,7 +46,8 @@ class AffineTransformationTest implements Object3DContract {
     return 1e-12;
   }
 
-  private static void assertHit(final double t, final Point3D P, final Vector3D n, final Object3D transformed, final Ray ray) {
+  private static void assertHit(final double t, final Point3D P, final Vector3D n, final Object3D transformed,
+      final Ray ray) {
     final Hit hit = transformed.intersectionWith(ray);
     final String what = transformed + ", " + ray + ": " + hit;
     assertEquals(t, hit.getT(), 1e-6 * t, what);
@@ -64,7 +66,8 @@ class AffineTransformationTest implements Object3DContract {
     assertEquals(29, new AffineTransformation(UP, 90, aside).intersectionWith(ray).getT(), 1e-5);
     assertEquals(28, new AffineTransformation(TWICE, UP, 90, new Sphere(new Point3D(0, -5, 0), 1, Color.RED))
         .intersectionWith(ray).getT(), 1e-5);
-    assertEquals(28, new AffineTransformation(TWICE, new Sphere(new Point3D(5, 0, 0), 1, Color.RED)).intersectionWith(ray).getT(), 1e-5);
+    assertEquals(28, new AffineTransformation(TWICE, new Sphere(new Point3D(5, 0, 0), 1,
+        Color.RED)).intersectionWith(ray).getT(), 1e-5);
   }
 
   @Test
@@ -91,12 +94,14 @@ class AffineTransformationTest implements Object3DContract {
     final Vector3D n = new Vector3D(0.6f / 5, 0, 0.8f);
     n.normalize();
     assertHit(7, new Point3D(3, 0, 0.8f), n, ellipsoid, new Ray(new Point3D(3, 0, 7.8f), new Vector3D(0, 0, -1)));
-    assertHit(5, new Point3D(5, 0, 0), new Vector3D(1, 0, 0), ellipsoid, new Ray(new Point3D(10, 0, 0), new Vector3D(-1, 0, 0)));
+    assertHit(5, new Point3D(5, 0, 0), new Vector3D(1, 0, 0), ellipsoid,
+        new Ray(new Point3D(10, 0, 0), new Vector3D(-1, 0, 0)));
   }
 
   @Test
   void mirroredObjectsKeepOutwardNormals() {
-    final Object3D mirrored = new AffineTransformation(new Vector3f(-1, -1, -1), new Sphere(new Point3D(5, 0, 0), 1, Color.RED));
+    final Object3D mirrored = new AffineTransformation(new Vector3f(-1, -1, -1),
+        new Sphere(new Point3D(5, 0, 0), 1, Color.RED));
     final Hit hit = mirrored.intersectionWith(new Ray(new Point3D(-10, 0, 0), new Vector3D(1, 0, 0)));
     assertEquals(4, hit.getT(), 1e-6);
     assertClose(new Vector3D(-1, 0, 0), hit.getNormal(), 1e-6, hit.toString());
@@ -105,7 +110,8 @@ class AffineTransformationTest implements Object3DContract {
   @Test
   void rayFromInsideHitsTheFarWallAtItsDistanceInTheScene() {
     final Object3D object = new AffineTransformation(new Vector3f(4, 4, 4), EAST, UNIT);
-    assertHit(4, new Point3D(14, 0, 0), new Vector3D(1, 0, 0), object, new Ray(new Point3D(10, 0, 0), new Vector3D(1, 0, 0)));
+    assertHit(4, new Point3D(14, 0, 0), new Vector3D(1, 0, 0), object,
+        new Ray(new Point3D(10, 0, 0), new Vector3D(1, 0, 0)));
     assertMiss(object, new Ray(new Point3D(15, 0, 0), new Vector3D(1, 0, 0)));
   }
 
@@ -122,7 +128,8 @@ class AffineTransformationTest implements Object3DContract {
     s.set(9, 9, 9);
     axis.set(1, 0, 0);
     d.set(-50, 0, 0);
-    assertHit(7, new Point3D(3, 0, 0), new Vector3D(1, 0, 0), object, new Ray(new Point3D(10, 0, 0), new Vector3D(-1, 0, 0)));
+    assertHit(7, new Point3D(3, 0, 0), new Vector3D(1, 0, 0), object,
+        new Ray(new Point3D(10, 0, 0), new Vector3D(-1, 0, 0)));
     assertEquals(new Vector3f(9, 9, 9), s);
   }
 
@@ -154,7 +161,8 @@ class AffineTransformationTest implements Object3DContract {
     for (int i = 0; i < 100; i++) {
       object = new AffineTransformation(new Vector3f(1, 1, 1), UP, 3.6f, new Vector3f(0, 0, 1), object);
     }
-    assertHit(9, new Point3D(0, 0, 101), new Vector3D(0, 0, 1), object, new Ray(new Point3D(0, 0, 110), new Vector3D(0, 0, -1)));
+    assertHit(9, new Point3D(0, 0, 101), new Vector3D(0, 0, 1), object,
+        new Ray(new Point3D(0, 0, 110), new Vector3D(0, 0, -1)));
   }
 
   @Test

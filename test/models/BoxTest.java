@@ -23,8 +23,8 @@ class BoxTest implements Object3DContract {
 
   @Override
   public Object3D shape(final Placement at) {
-    return new Box(at.point(1, -1, 2), at.direction(2, 2, 1), at.direction(-2, 3, 0), at.length(3), at.length(1.5f), at.length(2),
-        Color.RED);
+    return new Box(at.point(1, -1, 2), at.direction(2, 2, 1), at.direction(-2, 3, 0), at.length(3), at.length(1.5f),
+        at.length(2), Color.RED);
   }
 
   /** i = (2, 2, 1)/3, k = i × (−2, 3, 0) normalised = (−3, −2, 10)/√113, j = k × i. */
@@ -62,23 +62,31 @@ class BoxTest implements Object3DContract {
 
   @Test
   void slantingRayHitsAtTheCornerOfTheTriangle345() {
-    assertHit(5, new Point3D(1, 2, 0), new Vector3D(0, 1, 0), STRAIGHT, new Ray(new Point3D(5, 5, 0), new Vector3D(-4, -3, 0)));
-    assertHit(5, new Point3D(3, 1, 0), new Vector3D(1, 0, 0), STRAIGHT, new Ray(new Point3D(7, 4, 0), new Vector3D(-4, -3, 0)));
+    assertHit(5, new Point3D(1, 2, 0), new Vector3D(0, 1, 0), STRAIGHT,
+        new Ray(new Point3D(5, 5, 0), new Vector3D(-4, -3, 0)));
+    assertHit(5, new Point3D(3, 1, 0), new Vector3D(1, 0, 0), STRAIGHT,
+        new Ray(new Point3D(7, 4, 0), new Vector3D(-4, -3, 0)));
   }
 
   @Test
   void raysFromInsideHitTheFarWall() {
-    assertHit(2, new Point3D(3, 0, 0), new Vector3D(1, 0, 0), STRAIGHT, new Ray(new Point3D(1, 0, 0), new Vector3D(1, 0, 0)));
-    assertHit(4, new Point3D(-3, 0, 0), new Vector3D(-1, 0, 0), STRAIGHT, new Ray(new Point3D(1, 0, 0), new Vector3D(-1, 0, 0)));
-    assertHit(2.5, new Point3D(2, -2, 0), new Vector3D(0, -1, 0), STRAIGHT, new Ray(new Point3D(0.5f, 0, 0), new Vector3D(3, -4, 0)));
+    assertHit(2, new Point3D(3, 0, 0), new Vector3D(1, 0, 0), STRAIGHT,
+        new Ray(new Point3D(1, 0, 0), new Vector3D(1, 0, 0)));
+    assertHit(4, new Point3D(-3, 0, 0), new Vector3D(-1, 0, 0), STRAIGHT,
+        new Ray(new Point3D(1, 0, 0), new Vector3D(-1, 0, 0)));
+    assertHit(2.5, new Point3D(2, -2, 0), new Vector3D(0, -1, 0), STRAIGHT,
+        new Ray(new Point3D(0.5f, 0, 0), new Vector3D(3, -4, 0)));
   }
 
   @Test
   void verticalAxisLiesInThePlaneOfAuxAndKIsTheirProduct() {
     final Box turned = new Box(new Point3D(), new Vector3D(0, 0, -1), new Vector3D(0, 1, -7), 2, 4, 6, Color.RED);
-    assertHit(9, new Point3D(0, 0, 1), new Vector3D(0, 0, 1), turned, new Ray(new Point3D(0, 0, 10), new Vector3D(0, 0, -1)));
-    assertHit(8, new Point3D(0, 2, 0), new Vector3D(0, 1, 0), turned, new Ray(new Point3D(0, 10, 0), new Vector3D(0, -1, 0)));
-    assertHit(7, new Point3D(3, 0, 0), new Vector3D(1, 0, 0), turned, new Ray(new Point3D(10, 0, 0), new Vector3D(-1, 0, 0)));
+    assertHit(9, new Point3D(0, 0, 1), new Vector3D(0, 0, 1), turned,
+        new Ray(new Point3D(0, 0, 10), new Vector3D(0, 0, -1)));
+    assertHit(8, new Point3D(0, 2, 0), new Vector3D(0, 1, 0), turned,
+        new Ray(new Point3D(0, 10, 0), new Vector3D(0, -1, 0)));
+    assertHit(7, new Point3D(3, 0, 0), new Vector3D(1, 0, 0), turned,
+        new Ray(new Point3D(10, 0, 0), new Vector3D(-1, 0, 0)));
   }
 
   @Test
@@ -142,11 +150,11 @@ class BoxTest implements Object3DContract {
       final ExactVector c = ExactVector.of(C), along = ExactVector.of(i).normalised();
       final ExactVector deep = along.cross(ExactVector.of(aux)).normalised(), up = deep.cross(along);
       final BigDecimal a = new BigDecimal(w * 0.5), b = new BigDecimal(h * 0.5), e = new BigDecimal(d * 0.5);
-      trial.ask(new Box(C, i, aux, w, h, d, Color.RED), C, 0.7 * size, RandomNumbers.times(100),
+      trial.ask(new Box(C, i, aux, w, h, d, Color.RED), C, 0.7 * size, RandomNumbers.times(60),
           line -> ExactSpan.slab(line, c, along, a).and(ExactSpan.slab(line, c, up, b), size)
               .and(ExactSpan.slab(line, c, deep, e), size));
     }
-    trial.assertCounts(800, 800, 40);
+    trial.assertCounts(450, 450, 24);
   }
 
   @Test

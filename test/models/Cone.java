@@ -50,7 +50,8 @@ class Cone extends Object3D {
       final double s = qu + side * du;
       t = side > 0 && side < t && s <= 0 && s >= -h ? side : t;
     }
-    final double x = qx + base * d.x + (double) h * u.x, y = qy + base * d.y + (double) h * u.y, z = qz + base * d.z + (double) h * u.z;
+    final double x = qx + base * d.x + (double) h * u.x, y = qy + base * d.y + (double) h * u.y,
+        z = qz + base * d.z + (double) h * u.z;
     if (base > 0 && base < t && x * x + y * y + z * z <= (double) r * r) {
       t = base;
       onBase = true;

@@ -131,7 +131,8 @@ final class ContractTrial {
     final double[] slope = new double[3];
     double length2 = 0;
     for (int i = 0; i < 3; i++) {
-      final double at = distance(hit, i, 0), forwards = (distance(hit, i, h) - at) / h, backwards = (at - distance(hit, i, -h)) / h;
+      final double at = distance(hit, i, 0), forwards = (distance(hit, i, h) - at) / h,
+          backwards = (at - distance(hit, i, -h)) / h;
       if (Math.abs(forwards - backwards) > 0.02) {
         return null;
       }
@@ -178,7 +179,8 @@ final class ContractTrial {
         + contract.accuracy() * at.length((float) (size + hit.getT()));
     for (final Hit other : new Hit[] {placed, transformed}) {
       final double across = Math.abs(distanceAlongNormal(placed, other));
-      assertTrue(across <= 10 * tolerance, () -> "off the surface by " + across + " in " + at + ": " + placed + ", " + other);
+      assertTrue(across <= 10 * tolerance, () -> "off the surface by " + across + " in " + at + ": " + placed + ", "
+          + other);
       assertTrue(cosine(placed, other) > 1 - 1e-6, () -> "normals in " + at + ": " + placed + ", " + other);
     }
     assertEquals(placed.getT(), at.length(hit.getT()), 0.05 * at.length((float) size) + 1e-3 * placed.getT());

@@ -13,7 +13,9 @@ import tracer.Ray;
 /** Shapes against the oracle in decimals: hit or miss, and how far away, from starts inside to 10⁷ sizes away. */
 final class ExactTrial {
 
-  /** A line that keeps clear of, or dips into, the solid by less than this part of its size per size of distance is left out. */
+  /**
+   * A line that keeps clear of, or dips into, the solid by less than this part of its size per size of distance is left out.
+   */
   private static final double DOUBT = 1e-15;
 
   private final RandomNumbers numbers;

@@ -37,7 +37,8 @@ record ExactVector(BigDecimal x, BigDecimal y, BigDecimal z) {
   }
 
   ExactVector cross(final ExactVector v) {
-    return new ExactVector(y.multiply(v.z).subtract(z.multiply(v.y), DIGITS), z.multiply(v.x).subtract(x.multiply(v.z), DIGITS),
+    return new ExactVector(y.multiply(v.z).subtract(z.multiply(v.y), DIGITS),
+        z.multiply(v.x).subtract(x.multiply(v.z), DIGITS),
         x.multiply(v.y).subtract(y.multiply(v.x), DIGITS));
   }
 

@@ -84,7 +84,8 @@ class Group3DTest implements Object3DContract {
       final Group3D group = new Group3D();
       for (int i = 0; i < n; i++) {
         objects.add(i % 3 == 2 ? new Plane(new Point3D(5, i, 1), new Vector3D(0, 0, 1), Color.RED)
-            : i % 3 == 1 ? new Box(new Point3D(), new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), i, i, 2, Color.RED) : ball(0));
+            : i % 3 == 1 ? new Box(new Point3D(), new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), i, i, 2, Color.RED)
+                : ball(0));
         group.addObject(objects.get(i));
       }
       assertSame(objects.get(0), group.intersectionWith(DOWN).getObject());
@@ -114,7 +115,8 @@ class Group3DTest implements Object3DContract {
       final Object3D object = randomObject(numbers);
       if (i % 5 == 4) {
         final Group3D inner = groupOf(object);
-        final Object3D moved = new AffineTransformation(new Vector3f(1, 2, -1), new Vector3f(0, 0, 1), 30, new Vector3f(1, 1, 1), object);
+        final Object3D moved = new AffineTransformation(new Vector3f(1, 2, -1), new Vector3f(0, 0, 1), 30,
+            new Vector3f(1, 1, 1), object);
         inner.addObject(moved);
         group.addObject(inner);
         flat.add(object);

@@ -23,14 +23,17 @@ import view.Orthographic;
 import view.Perspective;
 import view.Projection;
 
-/** Closed meshes in pictures, where rays are traced by tiles: no pixel between triangles, and the colours that rays alone find. */
+/**
+ * Closed meshes in pictures, where rays are traced by tiles: no pixel between triangles, and the colours that rays alone
+ * find.
+ */
 class MeshPictureTest {
 
   private static final Color BACKGROUND = new Color(255, 0, 255, 77);
 
   static List<ClosedMesh> meshes() {
-    return List.of(ClosedMesh.tetrahedron(), ClosedMesh.cube(), ClosedMesh.octahedron(), ClosedMesh.icosphere(3),
-        ClosedMesh.icosphere(6), ClosedMesh.cube().shaken(new RandomNumbers("shaken cube"), 0.2),
+    return List.of(ClosedMesh.tetrahedron(), ClosedMesh.cube(), ClosedMesh.octahedron(), ClosedMesh.icosphere(5),
+        ClosedMesh.cube().shaken(new RandomNumbers("shaken cube"), 0.2),
         ClosedMesh.icosphere(3).moved(1, 3000, -5000, 8000), ClosedMesh.icosphere(2).moved(1e5f, 0, 0, 0));
   }
 
@@ -99,8 +102,8 @@ class MeshPictureTest {
   void transformedMeshHasNoCracksEither(final ClosedMesh closed) {
     final TriangularMesh mesh = colourful(closed);
     final float size = mesh.getBoundingBox().maxX() - mesh.getBoundingBox().minX();
-    final Object3D transformed = new AffineTransformation(new Vector3f(3 / size, 1 / size, -2 / size), new Vector3f(1, 2, 3), 50,
-        new Vector3f(5, 6, 7), mesh);
+    final Object3D transformed = new AffineTransformation(new Vector3f(3 / size, 1 / size, -2 / size),
+        new Vector3f(1, 2, 3), 50, new Vector3f(5, 6, 7), mesh);
     final Camera camera = new Camera(middle(transformed), new Point3D(5, 6, 1000), new Vector3D(0.1f, 1, 0));
     assertPicture(transformed, camera, new Perspective(100, 1.5f), 63, 41, true);
     assertPicture(transformed, camera, new Angular(179), 37, 37, true);

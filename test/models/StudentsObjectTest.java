@@ -78,8 +78,10 @@ class StudentsObjectTest implements Object3DContract {
   @Test
   void worksInGroupsAndTransformations() {
     final Ray ray = new Ray(new Point3D(10, 2, 0), new Vector3D(-1, 0, 0));
-    final Object3D moved = new AffineTransformation(new Vector3f(2, 2, 2), new Vector3f(0, 0, 1), 90, new Vector3f(0, 0, 100), CONE);
-    for (final Object3D object : List.of(CONE, groupOf(CONE), groupOf(new Sphere(new Point3D(-9, 0, 0), 1, Color.RED), groupOf(CONE)),
+    final Object3D moved = new AffineTransformation(new Vector3f(2, 2, 2), new Vector3f(0, 0, 1), 90,
+        new Vector3f(0, 0, 100), CONE);
+    for (final Object3D object : List.of(CONE, groupOf(CONE), groupOf(new Sphere(new Point3D(-9, 0, 0), 1, Color.RED),
+        groupOf(CONE)),
         new AffineTransformation(new Vector3f(1, 1, 1), groupOf(groupOf(CONE))))) {
       final Hit hit = object.intersectionWith(ray);
       assertEquals(8.5, hit.getT(), 1e-6);
@@ -133,17 +135,21 @@ class StudentsObjectTest implements Object3DContract {
       final long bits = (Double.hashCode(ray.directionX()) * 31L + Double.hashCode(ray.directionY())) * 31L
           + Double.hashCode(ray.directionZ()) + 7L * Double.hashCode(ray.startX());
       return ray == Ray.NORAY ? Hit.NOHIT
-          : Hit.of(1, ray.startX(), ray.startY(), ray.startZ(), 1, 0, 0, new Echo(new Color((int) (bits ^ bits >>> 32) & 0xffffff)));
+          : Hit.of(1, ray.startX(), ray.startY(), ray.startZ(), 1, 0, 0,
+              new Echo(new Color((int) (bits ^ bits >>> 32) & 0xffffff)));
     }
   }
 
   @Test
   void isAskedAboutTheSameRaysInAPictureAsAlone() {
     final Echo echo = new Echo(Color.WHITE);
-    final Object3D turned = new AffineTransformation(new Vector3f(1, 2, 3), new Vector3f(1, 2, 3), 40, new Vector3f(1, 2, 3), echo);
-    final Object3D inner = new AffineTransformation(new Vector3f(1, 2, 3), new Vector3f(1, 2, 3), 40, new Vector3f(1, 2, 3), groupOf(echo));
+    final Object3D turned = new AffineTransformation(new Vector3f(1, 2, 3), new Vector3f(1, 2, 3), 40,
+        new Vector3f(1, 2, 3), echo);
+    final Object3D inner = new AffineTransformation(new Vector3f(1, 2, 3), new Vector3f(1, 2, 3), 40, new Vector3f(1, 2, 3),
+        groupOf(echo));
     for (final Object3D object : List.of(echo, turned, inner, groupOf(inner),
-        new AffineTransformation(new Vector3f(0.3f, 0.7f, 1), groupOf(inner, new Sphere(new Point3D(0, 0, -99), 1, Color.RED))))) {
+        new AffineTransformation(new Vector3f(0.3f, 0.7f, 1), groupOf(inner,
+            new Sphere(new Point3D(0, 0, -99), 1, Color.RED))))) {
       assertPicture(groupOf(object), 20);
     }
   }
@@ -169,7 +175,8 @@ class StudentsObjectTest implements Object3DContract {
       final Group3D group = groupOf(object);
       for (final String message : List.of(
           assertThrows(IllegalStateException.class, () -> group.intersectionWith(ray)).getMessage(),
-          assertThrows(IllegalStateException.class, () -> new Image(4, 4, Color.RED).synthesis(group, camera)).getMessage())) {
+          assertThrows(IllegalStateException.class, () -> new Image(4, 4, Color.RED).synthesis(group,
+              camera)).getMessage())) {
         assertTrue(message.contains(forgetful.getClass().getName()) && message.contains("null"), message);
       }
     }

@@ -89,7 +89,8 @@ class TriangularMeshTest implements Object3DContract {
 
   @Test
   void facetsMayHaveBlanksCommasAndWhatObjFilesPutAfterASlash() {
-    for (final String facet : List.of("-7 0 12", "-7,0,12", " -7\t0 , 12 ", "-7/5/7 0//3 12/1", "-7,\t0,,12", "-07 +0 012")) {
+    for (final String facet : List.of("-7 0 12", "-7,0,12", " -7\t0 , 12 ", "-7/5/7 0//3 12/1", "-7,\t0,,12",
+        "-07 +0 012")) {
       final TriangularMesh mesh = new TriangularMesh(square(), List.of(facet), Color.CYAN);
       assertEquals("[Triangle(A=(-1.0, -1.0, 0.0), B=(1.0, -1.0, 0.0), C=(1.0, 1.0, 0.0))]", mesh.getTriangles().toString());
     }
@@ -159,7 +160,8 @@ class TriangularMeshTest implements Object3DContract {
     java.util.Arrays.fill(corners, 0);
     assertEquals(3, mesh.intersectionWith(DOWN).getT());
     assertEquals(3, ofArrays.intersectionWith(DOWN).getT());
-    assertEquals("Triangle(A=(-1.0, -1.0, 0.0), B=(1.0, -1.0, 0.0), C=(1.0, 1.0, 0.0))", ofArrays.getTriangles().get(0).toString());
+    assertEquals("Triangle(A=(-1.0, -1.0, 0.0), B=(1.0, -1.0, 0.0), C=(1.0, 1.0, 0.0))",
+        ofArrays.getTriangles().get(0).toString());
   }
 
   @Test
@@ -175,7 +177,8 @@ class TriangularMeshTest implements Object3DContract {
     final RandomNumbers numbers = new RandomNumbers("mesh by linear scan");
     int hits = 0;
     for (final ClosedMesh closed : List.of(ClosedMesh.cube(), ClosedMesh.icosphere(2), ClosedMesh.torus(12, 7),
-        ClosedMesh.torus(20, 9).moved(1, 100, 0, -50), soup(numbers, 1), soup(numbers, 2), soup(numbers, 3), soup(numbers, 300))) {
+        ClosedMesh.torus(20, 9).moved(1, 100, 0, -50), soup(numbers, 1), soup(numbers, 2), soup(numbers, 3),
+            soup(numbers, 300))) {
       final TriangularMesh mesh = closed.mesh();
       final ContractRays rays = new ContractRays(numbers, closed.vertex(0, 0), 4);
       for (int i = 0; i < RandomNumbers.times(2000); i++) {

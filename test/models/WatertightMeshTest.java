@@ -16,7 +16,10 @@ import primitives.Vector3D;
 import tracer.Hit;
 import tracer.Ray;
 
-/** A closed mesh has no cracks: of more than a million rays at vertices, edges and faces, from outside and inside, none is lost. */
+/**
+ * A closed mesh has no cracks: of more than a million rays at vertices, edges and faces, from outside and inside, none is
+ * lost.
+ */
 class WatertightMeshTest {
 
   private static final int RAYS = RandomNumbers.times(28_000);
@@ -119,7 +122,8 @@ class WatertightMeshTest {
         }
       }
     }
-    assertEquals(4, ClosedMesh.octahedron().mesh().intersectionWith(new Ray(new Point3D(0, 0, 5), new Vector3D(0, 0, -1))).getT());
+    assertEquals(4, ClosedMesh.octahedron().mesh().intersectionWith(
+        new Ray(new Point3D(0, 0, 5), new Vector3D(0, 0, -1))).getT());
   }
 
   /** A ray within the plane of a face meets the faces at both its ends there. */
@@ -129,7 +133,8 @@ class WatertightMeshTest {
     for (int i = -4; i <= 4; i++) {
       final float at = i / 4f;
       for (final Ray ray : List.of(new Ray(new Point3D(-5, 1, at), new Vector3D(1, 0, 0)),
-          new Ray(new Point3D(at, -5, -1), new Vector3D(-0f, 1, -0f)), new Ray(new Point3D(1, at, 5), new Vector3D(0, 0, -1)),
+          new Ray(new Point3D(at, -5, -1), new Vector3D(-0f, 1, -0f)),
+              new Ray(new Point3D(1, at, 5), new Vector3D(0, 0, -1)),
           new Ray(new Point3D(-1, 1, 9), new Vector3D(0, -0f, -1)))) {
         assertTrue(cube.intersectionWith(ray).hits(), ray::toString);
       }
@@ -148,7 +153,9 @@ class WatertightMeshTest {
     }
   }
 
-  /** A start outside, a vertex whose triangles all face it well: the ray at the vertex meets one of them, not what is behind. */
+  /**
+   * A start outside, a vertex whose triangles all face it well: the ray at the vertex meets one of them, not what is behind.
+   */
   @Test
   void raysAtVerticesSeenFromOutsideHitThemThere() {
     final RandomNumbers numbers = new RandomNumbers("vertices from outside");

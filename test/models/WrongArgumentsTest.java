@@ -29,7 +29,9 @@ import primitives.Vector3D;
 import tracer.Hit;
 import tracer.Ray;
 
-/** What a caller can get wrong is answered with an exception that names the argument and its value, in English and Spanish. */
+/**
+ * What a caller can get wrong is answered with an exception that names the argument and its value, in English and Spanish.
+ */
 class WrongArgumentsTest {
 
   private static final Point3D O = new Point3D(1, 2, 3);
@@ -38,7 +40,8 @@ class WrongArgumentsTest {
   private static final Vector3f S = new Vector3f(1, 1, 1);
   private static final Color RED = Color.RED;
   private static final Sphere BALL = new Sphere(O, 1, RED);
-  private static final List<Float> NO_SIZES = List.of(0f, -0f, -1.5f, Float.NaN, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY);
+  private static final List<Float> NO_SIZES = List.of(0f, -0f, -1.5f, Float.NaN, Float.POSITIVE_INFINITY,
+      Float.NEGATIVE_INFINITY);
   private static final List<Float> NO_NUMBERS = List.of(Float.NaN, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY);
 
   private final List<Arguments> cases = new ArrayList<>();
@@ -149,7 +152,8 @@ class WrongArgumentsTest {
 
   private void factors(final Consumer<Vector3f> call) {
     vector("s", Vector3f::new, call);
-    for (final Vector3f s : new Vector3f[] {new Vector3f(0, 1, 1), new Vector3f(1, -0f, 1), new Vector3f(1, 1, 0), new Vector3f()}) {
+    for (final Vector3f s : new Vector3f[] {new Vector3f(0, 1, 1), new Vector3f(1, -0f, 1), new Vector3f(1, 1, 0),
+        new Vector3f()}) {
       wrong("s", s, () -> call.accept(s));
     }
   }
@@ -187,7 +191,8 @@ class WrongArgumentsTest {
   }
 
   private static Map<Integer, Point3D> vertices() {
-    return new HashMap<>(Map.of(1, new Point3D(), 2, new Point3D(1, 0, 0), 3, new Point3D(0, 1, 0), 4, new Point3D(2, 0, 0)));
+    return new HashMap<>(Map.of(1, new Point3D(), 2, new Point3D(1, 0, 0), 3, new Point3D(0, 1, 0), 4,
+        new Point3D(2, 0, 0)));
   }
 
   private void meshes() {
@@ -195,7 +200,8 @@ class WrongArgumentsTest {
     wrong("facetas", "null", () -> new TriangularMesh(vertices(), null));
     wrong("color", "null", () -> new TriangularMesh(vertices(), List.of("1 2 3"), null));
     wrong("facet 1", "null", () -> new TriangularMesh(vertices(), Arrays.asList("1 2 3", null)));
-    for (final String facet : List.of("", "1 2", "1 2 3 4", "a b c", "1 2 3x", "1.5 2 3", "1;2;3", "/1 2 3", "99999999999 1 2")) {
+    for (final String facet : List.of("", "1 2", "1 2 3 4", "a b c", "1 2 3x", "1.5 2 3", "1;2;3", "/1 2 3",
+        "99999999999 1 2")) {
       wrong("facet 1", facet, () -> new TriangularMesh(vertices(), List.of("1 2 3", facet), RED));
     }
     wrong("facet 0", "7", () -> new TriangularMesh(vertices(), List.of("1 7/2 3")));
@@ -219,7 +225,8 @@ class WrongArgumentsTest {
     wrong("corners", "4", () -> TriangularMesh.of(three, new int[] {0, 1, 2, 0}, RED));
     wrong("corners[1]", "3", () -> TriangularMesh.of(three, new int[] {0, 3, 2}, RED));
     wrong("corners[2]", "-1", () -> TriangularMesh.of(three, new int[] {0, 1, -1}, RED));
-    wrong("coordinates[4]", "NaN", () -> TriangularMesh.of(new float[] {0, 0, 0, 1, Float.NaN, 0, 0, 1, 0}, new int[] {0, 1, 2}, RED));
+    wrong("coordinates[4]", "NaN", () -> TriangularMesh.of(new float[] {0, 0, 0, 1, Float.NaN, 0, 0, 1, 0},
+        new int[] {0, 1, 2}, RED));
   }
 
   private void raysAndHits() {
