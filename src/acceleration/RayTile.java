@@ -153,27 +153,23 @@ public final class RayTile {
 
   private static void roundStarts(final int n, final double[] x) {
     for (int i = 0; i < n; i++) {
-      final double p = SPLITTER * x[i];
-      x[i] = p - (p - x[i]);
+      x[i] = rounded(x[i]);
     }
   }
 
   private static void roundDirections(final int n, final double[] x, final double[] y, final double[] z) {
     for (int i = 0; i < n; i++) {
       final double k = 1 / Math.sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
-      final double kx = k * x[i], ky = k * y[i], kz = k * z[i];
-      final double px = SPLITTER * kx, py = SPLITTER * ky, pz = SPLITTER * kz;
-      x[i] = px - (px - kx);
-      y[i] = py - (py - ky);
-      z[i] = pz - (pz - kz);
+      x[i] = rounded(k * x[i]);
+      y[i] = rounded(k * y[i]);
+      z[i] = rounded(k * z[i]);
     }
   }
 
   private static void bringToUnit(final int n, final double[] x, final double[] y, final double[] z,
       final double[] unitX, final double[] unitY, final double[] unitZ) {
     for (int i = 0; i < n; i++) {
-      final double delta = x[i] * x[i] + y[i] * y[i] + z[i] * z[i] - 1;
-      final double k = 1 - delta * (0.5 - 0.375 * delta);
+      final double k = toUnit(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
       unitX[i] = k * x[i];
       unitY[i] = k * y[i];
       unitZ[i] = k * z[i];

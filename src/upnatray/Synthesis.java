@@ -7,6 +7,8 @@ import java.util.concurrent.atomic.AtomicReference;
 import acceleration.RayTile;
 import models.Group3D;
 import models.TileHits;
+import tracer.Hit;
+import tracer.Ray;
 import tracer.RayGenerator;
 
 /**
@@ -84,8 +86,12 @@ final class Synthesis {
     rays.open(width, height);
     generator.fill(rays, m, n);
     rays.close();
-    hits.clear();
-    scene.closestHits(rays, hits);
+    try {
+      hits.clear();
+      scene.closestHits(rays, hits);
+    } catch (RuntimeException e) {
+      throw new Culprit(scene, generator).explain(e, m, n, width, height);
+    }
     for (int row = 0; row < height; row++) {
       paint(hits, row * RayTile.SIZE, width, (H - 1 - n - row) * W + m);
     }
@@ -102,11 +108,17 @@ final class Synthesis {
       } else if (plain) {
         pixels[at + i] = hits.argb(first + i);
       } else {
-        pixels[at + i] = rendering.shading().argb(hits.ray(first + i), hits.hit(first + i));
+        pixels[at + i] = shade(hits.ray(first + i), hits.hit(first + i));
       }
     }
   }
 
+  /** A hit whose numbers no float can hold is none. */
+  private int shade(final Ray ray, final Hit hit) {
+    return hit.hits() ? rendering.shading().argb(ray, hit) : background;
+  }
+
+  /** Waits for a helper to end, which is soon, as no tile is left; answers whether this thread was interrupted meanwhile. */
   private boolean await(final Thread helper) {
     boolean interrupted = false;
     while (true) {
@@ -115,7 +127,6 @@ final class Synthesis {
         return interrupted;
       } catch (InterruptedException e) {
         interrupted = true;
-        stopped = true;
       }
     }
   }

@@ -1,0 +1,66 @@
+package upnatray;
+
+import models.AffineTransformation;
+import models.Group3D;
+import models.Object3D;
+import tracer.Ray;
+import tracer.RayGenerator;
+
+/**
+ * Finds out, after a tile has failed, which object failed at which pixel, so that the author of the object reads more than
+ * where the exception was thrown. The pixels are asked once more one by one, which nobody waits for.
+ */
+final class Culprit {
+
+  private final Group3D scene;
+  private final RayGenerator generator;
+
+  Culprit(final Group3D scene, final RayGenerator generator) {
+    this.scene = scene;
+    this.generator = generator;
+  }
+
+  /** What to throw for the failure of a tile: an explanation with the failure as its cause, or the failure if there is none. */
+  RuntimeException explain(final RuntimeException failure, final int m, final int n, final int width, final int height) {
+    for (int row = n; row < n + height; row++) {
+      for (int column = m; column < m + width; column++) {
+        final Ray ray = rayOf(column, row);
+        final Object3D object = ray == null ? null : failing(scene, ray);
+        if (object != null) {
+          return new IllegalStateException(
+              Messages.text("objectFails", object.getClass().getName(), column, row, ray, failure), failure);
+        }
+      }
+    }
+    return failure;
+  }
+
+  private Ray rayOf(final int m, final int n) {
+    try {
+      return generator.getRay(m, n);
+    } catch (RuntimeException generatorFails) {
+      return null;
+    }
+  }
+
+  /** The object within another that fails for a ray; null if there is none. */
+  private static Object3D failing(final Object3D object, final Ray ray) {
+    if (object instanceof Group3D) {
+      for (final Object3D part : ((Group3D) object).getObjects()) {
+        final Object3D failing = failing(part, ray);
+        if (failing != null) {
+          return failing;
+        }
+      }
+      return null;
+    }
+    if (object instanceof AffineTransformation) {
+      return failing(((AffineTransformation) object).getObject(), ((AffineTransformation) object).rayToObject(ray));
+    }
+    try {
+      return object.intersectionWith(ray) == null ? object : null;
+    } catch (RuntimeException itFails) {
+      return object;
+    }
+  }
+}

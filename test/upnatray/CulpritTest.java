@@ -1,0 +1,81 @@
+package upnatray;
+
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+
+import javax.vecmath.Vector3f;
+
+import org.junit.jupiter.api.Test;
+
+import models.AffineTransformation;
+import models.Group3D;
+import models.Object3D;
+import models.Sphere;
+import primitives.Point3D;
+import primitives.Vector3D;
+import tracer.Hit;
+import tracer.Ray;
+import view.Camera;
+import view.Perspective;
+
+/** What the author of an object is told when it fails while a picture is computed. */
+class CulpritTest {
+
+  private static final class Broken extends Object3D {
+
+    private final RuntimeException failure;
+
+    Broken(final RuntimeException failure) {
+      super(Color.RED);
+      this.failure = failure;
+    }
+
+    /** Fails right of the middle and above it. */
+    @Override
+    public Hit intersectionWith(final Ray ray) {
+      if (ray.directionX() > 0 && ray.directionY() > 0) {
+        if (failure != null) {
+          throw failure;
+        }
+        return null;
+      }
+      return Hit.NOHIT;
+    }
+  }
+
+  private static IllegalStateException messageOf(final Object3D object) {
+    final Camera camera = new Camera(new Point3D(0, 0, 5), new Point3D(), new Vector3D(0, 1, 0));
+    camera.setProjection(new Perspective(60, 1));
+    final Group3D scene = new Group3D(), inner = new Group3D();
+    scene.addObject(new Sphere(new Point3D(), 1, Color.BLUE));
+    inner.addObject(object);
+    scene.addObject(inner);
+    return assertThrows(IllegalStateException.class,
+        () -> new Image(30, 20, Color.BLACK).synthesis(scene, camera, Rendering.STANDARD.withThreads(1)));
+  }
+
+  @Test
+  void namesClassPixelAndRayOfAnException() {
+    final RuntimeException failure = new ArithmeticException("by a student");
+    final IllegalStateException told = messageOf(new Broken(failure));
+    assertSame(failure, told.getCause());
+    final String start = "upnatray.CulpritTest$Broken.intersectionWith failed at pixel (15, 10) with Ray(R=(0.0, 0.0, 5.0), v=(";
+    assertTrue(told.getMessage().startsWith(start), told.getMessage());
+    assertTrue(told.getMessage().contains("by a student"), told.getMessage());
+  }
+
+  @Test
+  void namesTheObjectWithinATransformation() {
+    final Object3D moved = new AffineTransformation(new Vector3f(2, 2, 2), new Vector3f(0, 0, 1), new Broken(new NullPointerException()));
+    assertTrue(messageOf(moved).getMessage().startsWith("upnatray.CulpritTest$Broken.intersectionWith"), messageOf(moved).getMessage());
+  }
+
+  @Test
+  void tellsOfAnAnswerOfNull() {
+    assertTrue(messageOf(new Broken(null)).getMessage().contains("Broken.intersectionWith failed at pixel (15, 10)"),
+        messageOf(new Broken(null)).getMessage());
+  }
+}
