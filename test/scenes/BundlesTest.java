@@ -99,7 +99,8 @@ class BundlesTest {
       }
     }
     for (final String key : properties(english).stringPropertyNames()) {
-      final boolean composed = key.indexOf('.') > 0 && sources.indexOf('"' + key.substring(0, key.indexOf('.') + 1)) >= 0;
+      final String start = '"' + key.replaceAll("\\..*", "");
+      final boolean composed = key.indexOf('.') > 0 && (sources.indexOf(start + '.') >= 0 || sources.indexOf(start + '"') >= 0);
       final boolean used = composed || sources.indexOf('"' + key.replaceAll("Any$", "") + '"') >= 0
           || sources.indexOf(' ' + key + '"') >= 0;
       assertTrue(used, english + ": " + key);
