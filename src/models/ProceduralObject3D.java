@@ -119,7 +119,7 @@ abstract class ProceduralObject3D extends Object3D {
       shortest = shortest == 0 ? contact / 16 : shortest;
       last = t;
       free = distance;
-      t += relaxed ? RELAXATION * distance : Math.max(distance, shortest);
+      t += relaxed ? Math.max(distance, Math.min(RELAXATION * distance, end - t)) : Math.max(distance, shortest);
     }
     return Double.POSITIVE_INFINITY;
   }
