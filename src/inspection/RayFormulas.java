@@ -42,7 +42,7 @@ final class RayFormulas {
     if (projection instanceof Orthographic) {
       orthographic((float) x, (float) y);
     } else if (projection instanceof Perspective) {
-      add("z", "−1", "", -1);
+      add("z", "", "", -1);
       throughPoint((float) x, (float) y, -1);
     } else if (projection instanceof Angular) {
       angular(x, y, ray);
@@ -56,7 +56,7 @@ final class RayFormulas {
   }
 
   private void orthographic(final float x, final float y) {
-    add("z", "0", "", 0);
+    add("z", "", "", 0);
     final Point3D R = new Point3D(x, y, 0);
     camera.toSceneCoordinates(R);
     formulas.add(new Formula("R", "V + x·i + y·j", sum(x, y, 0), Numbers.text(R)));

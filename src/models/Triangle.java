@@ -122,6 +122,11 @@ public class Triangle extends Object3D {
   }
 
   @Override
+  public List<Object> constructorArguments() {
+    return List.of(new Point3D(ax, ay, az), new Point3D(bx, by, bz), new Point3D(cx, cy, cz), getColor());
+  }
+
+  @Override
   public String toString() {
     return "Triangle(A=(" + ax + ", " + ay + ", " + az + "), B=(" + bx + ", " + by + ", " + bz
         + "), C=(" + cx + ", " + cy + ", " + cz + "))";

@@ -1,0 +1,245 @@
+package inspection;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.util.List;
+import java.util.function.Function;
+
+import javax.vecmath.Vector3f;
+
+import org.junit.jupiter.api.Test;
+
+import models.AffineTransformation;
+import models.March;
+import models.Object3D;
+import models.Sphere;
+import models.Torus;
+import primitives.BoundingBox;
+import primitives.Point3D;
+import primitives.Vector3D;
+import scenes.Scene;
+import tracer.Hit;
+import tracer.Ray;
+import upnatray.Progress;
+import upnatray.RenderJob;
+import upnatray.View;
+import view.Angular;
+import view.Orthographic;
+import view.Projection;
+
+class InspectorTest {
+
+  private static final int W = 48;
+  private static final int H = 36;
+
+  private static Inspection centre(final Object3D... objects) {
+    return new Inspector(SampleScenes.of(new Orthographic(4, 1), true, objects), 5, 5).inspect(2, 2);
+  }
+
+  @Test
+  void theColourOfEveryPixelIsThatOfThePicture() {
+    for (final Projection projection : List.of(SampleScenes.perspective(), new Orthographic(4, 0.75f), new Angular(50))) {
+      for (final boolean facing : new boolean[] {true, false}) {
+        final Scene scene = SampleScenes.of(projection, facing, SampleScenes.everyShape());
+        final RenderJob job = new RenderJob(scene, View.COLOUR, W, H, 2);
+        assertTrue(job.run(Progress.NONE));
+        final Inspector inspector = new Inspector(scene, W, H);
+        for (int m = 0; m < W; m++) {
+          for (int n = 0; n < H; n++) {
+            final Inspection inspection = inspector.inspect(m, n);
+            assertEquals(job.image().getRGB(m, H - 1 - n), inspection.argb(), "(" + m + ", " + n + ")");
+            inspection.meetings().forEach(meeting -> assertEquals(List.of(), meeting.findings(), meeting.toString()));
+          }
+        }
+      }
+    }
+  }
+
+  @Test
+  void meetingsComeInTheOrderOfTheRayWithTheirNames() {
+    final Sphere near = new Sphere(new Point3D(0, 0, 2), 0.5f, Color.RED), far = new Sphere(new Point3D(), 1, Color.BLUE);
+    final Inspection inspection = centre(far, near, new Sphere(new Point3D(9, 9, 9), 1, Color.GREEN));
+    assertEquals(2, inspection.meetings().size());
+    final Meeting first = inspection.meetings().get(0), second = inspection.meetings().get(1);
+    assertSame(near, first.object());
+    assertTrue(first.winner());
+    assertEquals("the Sphere", first.name());
+    assertEquals(2.5f, first.hit().getT(), 1e-6f);
+    assertSame(far, second.object());
+    assertFalse(second.winner());
+    assertEquals(4, second.hit().getT(), 1e-6f);
+    assertEquals(2, inspection.tests());
+  }
+
+  @Test
+  void ofTwoAtTheSameDistanceTheFirstAddedWins() {
+    final Sphere one = new Sphere(new Point3D(), 1, Color.RED), other = new Sphere(new Point3D(), 1, Color.BLUE);
+    assertSame(one, centre(one, other).winner().orElseThrow().object());
+    assertEquals(Color.RED.getRGB(), centre(one, other).colour().get(0).argb());
+  }
+
+  @Test
+  void theFormulasHaveTheNumbersOfThePixel() {
+    final Inspection inspection = new Inspector(SampleScenes.of(new Orthographic(4, 1), true), 8, 8).inspect(1, 6);
+    final List<Formula> formulas = inspection.pixel().formulas();
+    final Function<String, String> value = symbol -> formulas.stream().filter(f -> f.symbol().equals(symbol))
+        .findFirst().orElseThrow().value();
+    assertEquals("-1.25", value.apply("x"));
+    assertEquals("1.25", value.apply("y"));
+    assertEquals("(-1.25, 1.25, 5)", value.apply("R"));
+    assertEquals("(0, 0, -1)", value.apply("v"));
+    assertEquals("(1 + 0.5) · 4 / 8 − 4 / 2", formulas.get(2).numbers());
+  }
+
+  @Test
+  void theLastFormulasAreTheRay() {
+    for (final Projection projection : List.of(SampleScenes.perspective(), new Angular(80))) {
+      final PixelRay pixel = new Inspector(SampleScenes.of(projection, true), 30, 20).inspect(17, 4).pixel();
+      final Vector3D v = pixel.ray().getDirection();
+      final String[] numbers = pixel.formulas().get(pixel.formulas().size() - 1).value().replaceAll("[()]", "").split(", ");
+      assertEquals(v.x, Float.parseFloat(numbers[0]), 1e-6f);
+      assertEquals(v.y, Float.parseFloat(numbers[1]), 1e-6f);
+      assertEquals(v.z, Float.parseFloat(numbers[2]), 1e-6f);
+    }
+  }
+
+  @Test
+  void outsideTheCircleOfAFishEyeThereIsNoRay() {
+    final Inspection corner = new Inspector(SampleScenes.of(new Angular(90), true), 30, 30).inspect(0, 0);
+    assertSame(Ray.NORAY, corner.pixel().ray());
+    assertEquals("NORAY", corner.pixel().formulas().get(corner.pixel().formulas().size() - 1).value());
+    assertEquals(ColourStep.Kind.NO_RAY, corner.colour().get(0).kind());
+    assertEquals(List.of(), corner.meetings());
+  }
+
+  @Test
+  void aTransformedObjectShowsRayAndHitInItsOwnFrame() {
+    final Sphere unit = new Sphere(new Point3D(), 1, Color.RED);
+    final Meeting meeting = centre(new AffineTransformation(new Vector3f(2, 2, 2), new Vector3f(0, 0, -1), unit))
+        .meetings().get(0);
+    assertSame(unit, meeting.object());
+    assertNotSame(unit, meeting.whole());
+    assertEquals(4, meeting.hit().getT(), 1e-6f);
+    final LocalRay frame = meeting.frames().get(0);
+    assertEquals(new Point3D(0, 0, 3), frame.ray().getStartingPoint());
+    assertEquals(2, frame.hit().getT(), 1e-6f);
+    assertEquals(new Point3D(0, 0, 1), frame.hit().getPoint());
+  }
+
+  @Test
+  void aMarchIsToldStepByStep() {
+    final Meeting meeting = centre(new Torus(new Point3D(), new Vector3D(0, 1, 0), 1, 0.4f, Color.RED)).meetings().get(0);
+    final March march = meeting.march().orElseThrow();
+    assertEquals(March.End.REACHED, march.end());
+    assertEquals(3.6, march.t(), 1e-6);
+    assertEquals(meeting.hit().getT(), march.t(), 1e-6);
+    assertEquals(0, march.steps().get(0).t());
+    assertEquals(3.6, march.steps().get(0).distance(), 1e-6);
+  }
+
+  /** A shape of its own, wrong in some way. */
+  private abstract static class Wrong extends Object3D {
+
+    Wrong() {
+      super(Color.RED);
+    }
+
+    static Hit right(final Wrong object) {
+      return new Hit(4, new Point3D(0, 0, 1), new Vector3D(0, 0, 1), object);
+    }
+  }
+
+  private static List<Finding> findings(final Wrong object) {
+    return centre(object).meetings().get(0).findings();
+  }
+
+  @Test
+  void anAnswerOfNullIsFound() {
+    assertEquals(List.of(Finding.NULL_HIT), findings(new Wrong() {
+      @Override
+      public Hit intersectionWith(final Ray ray) {
+        return null;
+      }
+    }));
+  }
+
+  @Test
+  void anExceptionIsFoundWithItsMessage() {
+    final Meeting meeting = centre(new Wrong() {
+      @Override
+      public Hit intersectionWith(final Ray ray) {
+        throw new ArithmeticException("by zero");
+      }
+    }).meetings().get(0);
+    assertEquals(List.of(Finding.EXCEPTION), meeting.findings());
+    assertTrue(meeting.failure().contains("by zero"));
+    assertFalse(meeting.winner());
+  }
+
+  @Test
+  void aPointThatIsNotOnTheRayIsFound() {
+    assertEquals(List.of(Finding.POINT_OFF_RAY), findings(new Wrong() {
+      @Override
+      public Hit intersectionWith(final Ray ray) {
+        return new Hit(3, new Point3D(0, 0, 1), new Vector3D(0, 0, 1), this);
+      }
+    }));
+  }
+
+  @Test
+  void anAnswerThatChangesIsFound() {
+    assertEquals(List.of(Finding.UNSTEADY), findings(new Wrong() {
+      private boolean asked;
+
+      @Override
+      public Hit intersectionWith(final Ray ray) {
+        asked = !asked;
+        return asked ? right(this) : Hit.NOHIT;
+      }
+    }));
+  }
+
+  private static Wrong withBox(final BoundingBox box, final float normalZ) {
+    return new Wrong() {
+      @Override
+      public Hit intersectionWith(final Ray ray) {
+        return new Hit(4, new Point3D(0, 0, 1), new Vector3D(0, 0, normalZ), this);
+      }
+
+      @Override
+      public BoundingBox getBoundingBox() {
+        return box;
+      }
+    };
+  }
+
+  @Test
+  void wrongBoxesAreFound() {
+    assertEquals(List.of(Finding.NULL_BOX), findings(withBox(null, 1)));
+    assertEquals(List.of(Finding.POINT_OUTSIDE_BOX),
+        findings(withBox(new BoundingBox(new Point3D(-1, -1, -1), new Point3D(1, 1, 0.5f)), 1)));
+    assertEquals(List.of(Finding.BOX_PASSED_BY, Finding.POINT_OUTSIDE_BOX),
+        findings(withBox(new BoundingBox(new Point3D(2, 2, 2), new Point3D(3, 3, 3)), 1)));
+  }
+
+  @Test
+  void aNormalThatLooksInwardIsFound() {
+    final BoundingBox box = new BoundingBox(new Point3D(-1, -1, -1), new Point3D(1, 1, 1));
+    assertEquals(List.of(), findings(withBox(box, 1)));
+    assertEquals(List.of(Finding.NORMAL_INWARD), findings(withBox(box, -1)));
+  }
+
+  @Test
+  void pixelsThatAreNotThereAreRejected() {
+    final Inspector inspector = new Inspector(SampleScenes.of(new Orthographic(4, 1), true), 4, 3);
+    assertThrows(IllegalArgumentException.class, () -> inspector.inspect(4, 0));
+    assertThrows(IllegalArgumentException.class, () -> inspector.inspect(0, 3));
+    assertThrows(IllegalArgumentException.class, () -> inspector.inspect(-1, 0));
+  }
+}

@@ -1,0 +1,182 @@
+package upnatray;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.util.HashSet;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicInteger;
+
+import org.junit.jupiter.api.Test;
+
+import inspection.SampleScenes;
+import models.Cost;
+import models.Object3D;
+import models.Sphere;
+import primitives.Point3D;
+import primitives.Vector3D;
+import scenes.Scene;
+import tracer.Hit;
+import tracer.Ray;
+import tracer.RayGenerator;
+import view.Orthographic;
+import view.Perspective;
+
+class RenderJobTest {
+
+  private static final int W = 100;
+  private static final int H = 80;
+
+  private static Scene everyShape() {
+    return SampleScenes.of(new Perspective(45, 1.25f), true, SampleScenes.everyShape());
+  }
+
+  private static RenderJob done(final Scene scene, final View view) {
+    final RenderJob job = new RenderJob(scene, view, W, H, 2);
+    assertTrue(job.run(Progress.NONE));
+    return job;
+  }
+
+  @Test
+  void thePictureIsThatOfTheSynthesis() {
+    final Scene scene = everyShape();
+    final Image image = new Image(W, H, scene.background());
+    image.synthesis(scene.objects(), scene.camera(), Rendering.STANDARD.withShading(Shading.FACING));
+    final RenderJob job = done(scene, View.COLOUR);
+    for (int y = 0; y < H; y++) {
+      for (int x = 0; x < W; x++) {
+        assertEquals(image.getRGB(x, y), job.image().getRGB(x, y));
+      }
+    }
+    assertEquals(1, job.share());
+    assertEquals(0, job.secondsLeft());
+    assertTrue(job.raysPerSecond() > 0);
+  }
+
+  @Test
+  void aJobThatIsCancelledEndsEarly() {
+    final RenderJob job = new RenderJob(everyShape(), View.COLOUR, 640, 480, 1);
+    final AtomicInteger tiles = new AtomicInteger();
+    assertFalse(job.run((x, y, width, height) -> {
+      if (tiles.incrementAndGet() == 3) {
+        job.cancel();
+      }
+      return true;
+    }));
+    assertEquals(3, tiles.get());
+    assertTrue(job.share() > 0 && job.share() < 0.01);
+  }
+
+  @Test
+  void tilesComeFromTheCentreOutwards() {
+    final RenderJob job = new RenderJob(everyShape(), View.COLOUR, 640, 480, 1);
+    final double[] last = {0};
+    job.run((x, y, width, height) -> {
+      final double distance = Math.hypot(x + width / 2.0 - 320, y + height / 2.0 - 240);
+      assertTrue(distance > last[0] - 17, "(" + x + ", " + y + ")");
+      last[0] = Math.max(last[0], distance);
+      return true;
+    });
+  }
+
+  @Test
+  void everyTileIsComputedOnceInWhateverOrder() {
+    for (final int[] size : new int[][] {{1, 1}, {1, 9}, {7, 3}, {40, 30}}) {
+      final Set<Integer> seen = new HashSet<>();
+      for (final int tile : TileOrder.centreOutwards(size[0], size[1])) {
+        assertTrue(tile >= 0 && tile < size[0] * size[1] && seen.add(tile));
+      }
+      assertEquals(size[0] * size[1], seen.size());
+    }
+  }
+
+  @Test
+  void theViewsShowNormalDepthAndCostOfEachRay() {
+    final Scene scene = everyShape();
+    final Image normals = done(scene, View.NORMALS).image();
+    final RenderJob depth = done(scene, View.DEPTH), cost = done(scene, View.COST);
+    final ColourScale near = depth.scale().orElseThrow(), tests = cost.scale().orElseThrow();
+    final RayGenerator rays = scene.camera().getRayGenerator(W, H);
+    for (int m = 0; m < W; m++) {
+      for (int n = 0; n < H; n++) {
+        final Hit hit = scene.objects().intersectionWith(rays.getRay(m, n));
+        final int y = H - 1 - n;
+        assertEquals(hit.hits() ? near.argb(hit.getT()) : 0, depth.image().getRGB(m, y));
+        assertEquals(tests.argb(Cost.of(scene.objects(), rays.getRay(m, n))), cost.image().getRGB(m, y));
+        final int red = hit.hits() ? (int) (127.5 * (1 + hit.normalX()) + 0.5) : 0;
+        assertEquals(red, normals.getRGB(m, y) >> 16 & 0xff, 1);
+      }
+    }
+  }
+
+  @Test
+  void eachObjectHasAColourOfItsOwn() {
+    final Object3D[] objects = new Object3D[12];
+    for (int i = 0; i < objects.length; i++) {
+      objects[i] = new Sphere(new Point3D(i % 4 - 1.5f, i / 4 - 1, 0), 0.45f, Color.RED);
+    }
+    final Image image = done(SampleScenes.of(new Orthographic(3.5f, 0.8f), true, objects), View.OBJECT).image();
+    final Set<Integer> colours = new HashSet<>();
+    for (final int argb : image.getRGB(0, 0, W, H, null, 0, W)) {
+      colours.add(argb);
+    }
+    assertEquals(1 + objects.length, colours.size());
+  }
+
+  /** A student's shape: a disc, and nothing but what must be there. */
+  private static final class Disc extends Object3D {
+
+    Disc() {
+      super(Color.GREEN);
+    }
+
+    @Override
+    public Hit intersectionWith(final Ray ray) {
+      final float t = -ray.getStartingPoint().z / ray.getDirection().z;
+      if (!(t > 0) || ray.pointAtParameter(t).distance(new Point3D()) > 1) {
+        return Hit.NOHIT;
+      }
+      return new Hit(t, ray.pointAtParameter(t), new Vector3D(0, 0, 1), this);
+    }
+  }
+
+  @Test
+  void allViewsShowAShapeOfOnesOwn() {
+    for (final View view : View.values()) {
+      final Image image = done(SampleScenes.of(new Orthographic(4, 0.8f), true, new Disc()), view).image();
+      assertEquals(0xff, image.getRGB(W / 2, H / 2) >>> 24, view.name());
+      assertTrue(view == View.COST || image.getRGB(W / 2, H / 2) != image.getRGB(1, 1), view.name());
+    }
+  }
+
+  @Test
+  void anEmptySceneHasNoDepth() {
+    assertEquals(Optional.empty(), done(SampleScenes.of(new Orthographic(4, 0.8f), true), View.DEPTH).scale());
+  }
+
+  @Test
+  void theScalesGoFromEndToEnd() {
+    final ColourScale depth = ColourScale.ofDepth(2, 100), cost = ColourScale.ofCost(50);
+    assertEquals(0xffffffff, depth.argb(2));
+    assertEquals(0xff000000, depth.argb(100));
+    assertEquals(0xff000000, cost.argb(0));
+    assertEquals(0xffffffff, cost.argb(50));
+    for (double position = 0; position <= 1; position += 0.125) {
+      assertEquals(position, depth.position(depth.value(position)), 1e-12);
+      assertEquals(position, cost.position(cost.value(position)), 1e-12);
+    }
+    assertEquals(0, ColourScale.ofDepth(3, 3).position(3));
+  }
+
+  @Test
+  void viewsAreKnownByTheirNames() {
+    for (final View view : View.values()) {
+      assertEquals(Optional.of(view), View.named(view.option()));
+    }
+    assertEquals(Optional.of(View.DEPTH), View.named("Depth"));
+    assertEquals(Optional.empty(), View.named("deep"));
+  }
+}
