@@ -55,16 +55,24 @@ final class InspectionTree {
   private static DefaultMutableTreeNode ray(final PixelRay pixel) {
     final DefaultMutableTreeNode node = node("inspect.ray", pixel.projection());
     for (final Formula formula : pixel.formulas()) {
-      final StringBuilder line = new StringBuilder(formula.symbol());
-      line.append(formula.general().isEmpty() ? "" : " = " + formula.general());
-      line.append(formula.numbers().isEmpty() ? "" : " = " + formula.numbers());
-      line.append(formula.value().equals(formula.general()) ? "" : " = " + formula.value());
-      add(node, line.toString());
+      node.add(formula(formula));
     }
     if (pixel.ray() == Ray.NORAY) {
       node.add(node("inspect.noRay"));
     } else {
       node.add(node("inspect.given", text(pixel.ray().getStartingPoint()), text(pixel.ray().getDirection())));
+    }
+    return node;
+  }
+
+  /** What comes out with the formula, and below it the numbers, a line for each term of a sum of vectors. */
+  private static DefaultMutableTreeNode formula(final Formula formula) {
+    final String general = formula.general().isEmpty() ? "" : "   =   " + formula.general();
+    final DefaultMutableTreeNode node = new DefaultMutableTreeNode(formula.symbol() + " = " + formula.value() + general);
+    for (final String term : formula.numbers().split("(?= [+\u2212] [^ ]+\u00b7\\()")) {
+      if (!term.isEmpty()) {
+        add(node, term.strip());
+      }
     }
     return node;
   }

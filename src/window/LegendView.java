@@ -6,12 +6,10 @@ import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.util.Locale;
 
-import javax.swing.JComponent;
-
 import upnatray.ColourScale;
 
 /** The legend of a view of numbers: its colours from top to bottom, with numbers beside them. */
-final class LegendView extends JComponent {
+final class LegendView extends Drawing {
 
   private static final long serialVersionUID = 1L;
 
@@ -22,10 +20,10 @@ final class LegendView extends JComponent {
   private transient ColourScale scale;
 
   LegendView() {
+    super("legend.name");
     setName("legend");
     setPreferredSize(new Dimension(96, 10));
     setVisible(false);
-    getAccessibleContext().setAccessibleName(Messages.text("legend.name"));
   }
 
   /** Shows a scale; null for none. */

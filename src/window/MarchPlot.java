@@ -11,12 +11,10 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.util.Locale;
 
-import javax.swing.JComponent;
-
 import models.March;
 
 /** A march as a plot: the distance along the ray to the right, the value of the signed distance upwards, a dot for each step. */
-final class MarchPlot extends JComponent {
+final class MarchPlot extends Drawing {
 
   private static final long serialVersionUID = 1L;
 
@@ -28,10 +26,10 @@ final class MarchPlot extends JComponent {
   private transient March march;
 
   MarchPlot() {
+    super("march.name");
     setName("march");
     setPreferredSize(new Dimension(200, 150));
     setVisible(false);
-    getAccessibleContext().setAccessibleName(Messages.text("march.name"));
     setToolTipText(Messages.text("march.tip"));
   }
 

@@ -15,8 +15,6 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Map;
 
-import javax.swing.JComponent;
-
 import inspection.Outline;
 import primitives.Point3D;
 
@@ -24,7 +22,7 @@ import primitives.Point3D;
  * A scene and its camera from outside, as lines. Dragging turns it (left and right about the scene's y), the wheel and the
  * keys + and − change its size.
  */
-final class OutsideView extends JComponent {
+final class OutsideView extends Drawing {
 
   private static final long serialVersionUID = 1L;
 
@@ -43,10 +41,10 @@ final class OutsideView extends JComponent {
   private Point last;
 
   OutsideView() {
+    super("outside.name");
     setName("outside");
     setFocusable(true);
     setPreferredSize(new Dimension(720, 540));
-    getAccessibleContext().setAccessibleName(Messages.text("outside.name"));
     getAccessibleContext().setAccessibleDescription(Messages.text("outside.tip"));
     setToolTipText(Messages.text("outside.tip"));
     final MouseAdapter mouse = new Mouse();

@@ -15,12 +15,8 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 
-import javax.accessibility.AccessibleContext;
-import javax.accessibility.AccessibleRole;
-import javax.swing.JComponent;
-
 /** Shows a picture at any zoom, with a checkerboard where it is transparent, a grid between large pixels, and a pinned pixel. */
-final class PictureView extends JComponent {
+final class PictureView extends Drawing {
 
   private static final long serialVersionUID = 1L;
 
@@ -50,33 +46,18 @@ final class PictureView extends JComponent {
   private Point pinned;
 
   PictureView(final PixelListener listener) {
+    super("picture.name");
     this.listener = listener;
     setName("picture");
     setFocusable(true);
     setOpaque(true);
     setPreferredSize(new Dimension(640, 480));
     setCursor(Cursor.getPredefinedCursor(Cursor.CROSSHAIR_CURSOR));
-    getAccessibleContext().setAccessibleName(Messages.text("picture.name"));
     getAccessibleContext().setAccessibleDescription(Messages.text("picture.tip"));
     final PictureMouse mouse = new PictureMouse(this);
     addMouseListener(mouse);
     addMouseMotionListener(mouse);
     addMouseWheelListener(mouse);
-  }
-
-  @Override
-  public AccessibleContext getAccessibleContext() {
-    if (accessibleContext == null) {
-      accessibleContext = new AccessibleJComponent() {
-        private static final long serialVersionUID = 1L;
-
-        @Override
-        public AccessibleRole getAccessibleRole() {
-          return AccessibleRole.CANVAS;
-        }
-      };
-    }
-    return accessibleContext;
   }
 
   /** Shows another picture; of the same size it keeps zoom and pinned pixel. */

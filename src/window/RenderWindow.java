@@ -83,6 +83,11 @@ public final class RenderWindow {
       public void windowClosing(final WindowEvent event) {
         close();
       }
+
+      @Override
+      public void windowOpened(final WindowEvent event) {
+        view.requestFocusInWindow();
+      }
     });
   }
 

@@ -1,0 +1,31 @@
+package window;
+
+import javax.accessibility.AccessibleContext;
+import javax.accessibility.AccessibleRole;
+import javax.swing.JComponent;
+
+/** A component that draws itself, known to screen readers as a canvas with a name and a description. */
+abstract class Drawing extends JComponent {
+
+  private static final long serialVersionUID = 1L;
+
+  /** A drawing with a name that tells what it shows. */
+  Drawing(final String key) {
+    getAccessibleContext().setAccessibleName(Messages.text(key));
+  }
+
+  @Override
+  public final AccessibleContext getAccessibleContext() {
+    if (accessibleContext == null) {
+      accessibleContext = new AccessibleJComponent() {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public AccessibleRole getAccessibleRole() {
+          return AccessibleRole.CANVAS;
+        }
+      };
+    }
+    return accessibleContext;
+  }
+}
