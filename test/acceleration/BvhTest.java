@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Random;
 import java.util.SortedMap;
@@ -82,6 +83,10 @@ class BvhTest {
     return length > 0 ? new double[] {v[0] / length, v[1] / length, v[2] / length} : new double[] {-0.0, 0, -1};
   }
 
+  private static String ray(final double[] start, final double[] direction) {
+    return "ray from " + Arrays.toString(start) + " along " + Arrays.toString(direction);
+  }
+
   @ParameterizedTest
   @EnumSource
   void aRayVisitsEveryBoxThatItMeets(final Boxes.Kind kind) {
@@ -95,8 +100,7 @@ class BvhTest {
         for (int box = 0; box < boxes.count(); box++) {
           if (boxes.enter(box, start, direction) < Double.POSITIVE_INFINITY) {
             met[0]++;
-            assertTrue(visited.get(box), () -> "ray from " + java.util.Arrays.toString(start) + " along "
-                + java.util.Arrays.toString(direction));
+            assertTrue(visited.get(box), () -> ray(start, direction));
           }
         }
       }
@@ -118,8 +122,7 @@ class BvhTest {
           nearest = Math.min(nearest, boxes.enter(box, start, direction));
         }
         met[0] += nearest < Double.POSITIVE_INFINITY ? 1 : 0;
-        assertEquals(nearest, tree.nearest(start, direction), () -> "ray from " + java.util.Arrays.toString(start) + " along "
-            + java.util.Arrays.toString(direction));
+        assertEquals(nearest, tree.nearest(start, direction), () -> ray(start, direction));
       }
     });
     assertTrue(met[0] > 300, () -> "only " + met[0] + " boxes met");

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.EnumMap;
 import java.util.Map;
@@ -25,7 +26,7 @@ class TileFrustumTest {
     return random.nextInt(4) > 0 ? 1 : random.nextBoolean() ? 1e-25 : 1e25;
   }
 
-  /** A box about a point at a random distance on a ray; the point may lie on its border. Sizes from far smaller to far larger. */
+  /** A box about a point at a random distance on a ray, much smaller to much larger; the point may lie on its border. */
   private static float[] boxOnRay(final Random random, final double unit, final double[] start, final double[] direction) {
     final double t = unit * Math.pow(10, 8 * random.nextDouble() - 4), size = t * Math.pow(10, 8 * random.nextDouble() - 5);
     final float[] box = new float[6];
@@ -58,8 +59,8 @@ class TileFrustumTest {
 
   private static String describe(final RayTile tile, final int i, final float[] box) {
     return "pixel " + i + " of " + tile.columns() + " x " + tile.rows() + ", ray from "
-        + java.util.Arrays.toString(Tiles.start(tile, i)) + " along " + java.util.Arrays.toString(Tiles.direction(tile, i))
-        + ", box " + java.util.Arrays.toString(box);
+        + Arrays.toString(Tiles.start(tile, i)) + " along " + Arrays.toString(Tiles.direction(tile, i))
+        + ", box " + Arrays.toString(box);
   }
 
   @ParameterizedTest
@@ -115,13 +116,14 @@ class TileFrustumTest {
         for (int b = 0; tile.isPresent(i) && b < count; b++) {
           if (boxes.enter(b, Tiles.start(tile, i), Tiles.direction(tile, i)) < Double.POSITIVE_INFINITY) {
             met[0]++;
-            final String text = visited.get(b) ? "" : describe(tile, i, java.util.Arrays.copyOfRange(numbers, 6 * b, 6 * b + 6));
-            assertTrue(visited.get(b), text);
+            final int pixel = i, at = 6 * b;
+            assertTrue(visited.get(b), () -> describe(tile, pixel, Arrays.copyOfRange(numbers, at, at + 6)));
           }
         }
       }
     });
-    assertTrue(met[0] > 5000 && passed[0] > 500 || kind == Tiles.Kind.ANY, () -> met[0] + " boxes met, " + passed[0] + " passed by");
+    assertTrue(met[0] > 5000 && passed[0] > 500 || kind == Tiles.Kind.ANY,
+        () -> met[0] + " boxes met, " + passed[0] + " passed by");
   }
 
   @ParameterizedTest
@@ -144,7 +146,7 @@ class TileFrustumTest {
       final int[] order = new int[count];
       final Bvh tree = Bvh.over(numbers.clone(), 2, order);
       final double[] nearest = new double[RayTile.SIZE * RayTile.SIZE];
-      java.util.Arrays.fill(nearest, Double.POSITIVE_INFINITY);
+      Arrays.fill(nearest, Double.POSITIVE_INFINITY);
       tree.closest(tile.frustum(), (first, end) -> {
         double farthest = 0;
         for (int i = 0; i < RayTile.SIZE * tile.rows(); i++) {
@@ -198,13 +200,15 @@ class TileFrustumTest {
   }
 
   /** A triangle about a point of a ray, of any size and shape, perhaps reaching behind the start. */
-  private static float[] triangleOnRay(final Random random, final double unit, final double[] start, final double[] direction) {
+  private static float[] triangleOnRay(final Random random, final double unit, final double[] start,
+      final double[] direction) {
     final double t = unit * Math.pow(10, 6 * random.nextDouble() - 3), size = t * Math.pow(10, 6 * random.nextDouble() - 3);
     final double a = random.nextDouble(), b = random.nextDouble() * (1 - a), c = Math.max(1 - a - b, 1e-3);
     final double sliver = Math.pow(10, -3 * random.nextDouble());
     final float[] v = new float[9];
     for (int k = 0; k < 3; k++) {
-      final double at = start[k] + t * direction[k], e = size * random.nextGaussian(), f = sliver * size * random.nextGaussian();
+      final double at = start[k] + t * direction[k];
+      final double e = size * random.nextGaussian(), f = sliver * size * random.nextGaussian();
       v[k] = (float) (at + e);
       v[3 + k] = (float) (at + f);
       v[6 + k] = (float) (at - (a * e + b * f) / c);

@@ -86,7 +86,8 @@ final class Tiles {
         tile.put(i, origin[0], origin[1], origin[2], z[0], z[1], z[2]);
         break;
       case SKEWED:
-        final double dx = v[0] + 0.5 * v[1], dy = v[1] - 2 * v[2], dz = 3 * v[2], length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        final double dx = v[0] + 0.5 * v[1], dy = v[1] - 2 * v[2], dz = 3 * v[2];
+        final double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
         tile.putExactly(i, origin[0], origin[1], origin[2], dx / length, dy / length, dz / length);
         break;
       default:

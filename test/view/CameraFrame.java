@@ -5,7 +5,7 @@ import java.util.Random;
 import primitives.Point3D;
 import primitives.Vector3D;
 
-/** A camera's frame worked out from the definition, in double, by other means than {@link Camera}'s: the oracle of its tests. */
+/** A camera's frame worked out in double by other means than {@link Camera}'s: the oracle of its tests. */
 final class CameraFrame {
 
   final Point3D V;

@@ -55,7 +55,8 @@ class CameraTest {
       camera.toSceneCoordinates(P);
       camera.toSceneCoordinates(v);
       final double[] point = frame.point(a, b, c), vector = frame.vector(a, b, c), ahead = frame.vector(0, 0, -1);
-      final double[] expected = {point[0], point[1], point[2], vector[0], vector[1], vector[2], ahead[0], ahead[1], ahead[2]};
+      final double[] expected = {point[0], point[1], point[2], vector[0], vector[1], vector[2],
+          ahead[0], ahead[1], ahead[2]};
       final float[] found = {P.x, P.y, P.z, v.x, v.y, v.z, look.x, look.y, look.z};
       for (int i = 0; i < 9; i++) {
         assertEquals(expected[i], found[i], 0x1p-23 * (i < 3 ? frame.size() + 4 : 4), "number " + i);

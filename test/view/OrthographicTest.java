@@ -17,7 +17,8 @@ class OrthographicTest implements ProjectionContract {
 
   @Override
   public Optics random(final Random random) {
-    final float h = (float) Math.pow(10, 6 * random.nextDouble() - 3), aspect = (float) Math.pow(10, 2 * random.nextDouble() - 1);
+    final float h = (float) Math.pow(10, 6 * random.nextDouble() - 3);
+    final float aspect = (float) Math.pow(10, 2 * random.nextDouble() - 1);
     return new Optics(new Orthographic(h, aspect), (double) h / aspect, h, (x, y) -> new double[] {x, y, 0, 0, 0, -1});
   }
 

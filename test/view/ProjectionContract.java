@@ -27,7 +27,7 @@ interface ProjectionContract {
   record Optics(Projection projection, double w, double h, Formula formula) {
   }
 
-  /** The ray through the point (x, y) of the window, in the camera's frame: three coordinates of its start, three of its direction. */
+  /** The ray through a point of the window, in the camera's frame: three coordinates of its start, three of its direction. */
   interface Formula {
     /** Answers null if there is no ray, an empty array where rounding decides. */
     double[] ray(double x, double y);
@@ -54,7 +54,8 @@ interface ProjectionContract {
   }
 
   /** Answers how many rays it has compared. */
-  private static int check(final Optics optics, final CameraFrame frame, final RayGenerator generator, final int m, final int n) {
+  private static int check(final Optics optics, final CameraFrame frame, final RayGenerator generator,
+      final int m, final int n) {
     final double x = (m + 0.5) * optics.w / generator.getWidth() - optics.w / 2;
     final double y = (n + 0.5) * optics.h / generator.getHeight() - optics.h / 2;
     final double[] expected = optics.formula.ray(x, y);
@@ -111,7 +112,8 @@ interface ProjectionContract {
       final RayTile tile = new RayTile();
       final int W = 1 + random.nextInt(100), H = 1 + random.nextInt(100);
       final RayGenerator generator = CameraFrame.random(random).camera(random(random).projection).getRayGenerator(W, H);
-      final int columns = 1 + random.nextInt(Math.min(W, RayTile.SIZE)), rows = 1 + random.nextInt(Math.min(H, RayTile.SIZE));
+      final int columns = 1 + random.nextInt(Math.min(W, RayTile.SIZE));
+      final int rows = 1 + random.nextInt(Math.min(H, RayTile.SIZE));
       final int m = random.nextInt(W - columns + 1), n = random.nextInt(H - rows + 1);
       tile.open(columns, rows);
       generator.fill(tile, m, n);
@@ -132,12 +134,14 @@ interface ProjectionContract {
       return 0;
     }
     assertTrue(tile.isPresent(i));
-    final double[] expected = {ray.startX(), ray.startY(), ray.startZ(), ray.directionX(), ray.directionY(), ray.directionZ(),
+    final double[] expected = {ray.startX(), ray.startY(), ray.startZ(),
+        ray.directionX(), ray.directionY(), ray.directionZ(),
         ray.getDirection().x, ray.getDirection().y, ray.getDirection().z};
     final double[] found = {tile.startX(i), tile.startY(i), tile.startZ(i), tile.directionX(i), tile.directionY(i),
         tile.directionZ(i), tile.vx(i), tile.vy(i), tile.vz(i)};
     for (int k = 0; k < expected.length; k++) {
-      assertEquals(Double.doubleToRawLongBits(expected[k]), Double.doubleToRawLongBits(found[k]), () -> "pixel " + i + ", " + ray);
+      assertEquals(Double.doubleToRawLongBits(expected[k]), Double.doubleToRawLongBits(found[k]),
+          () -> "pixel " + i + ", " + ray);
     }
     return 1;
   }
@@ -145,7 +149,8 @@ interface ProjectionContract {
   @Test
   default void rejectsPixelsOutsideTheImage() {
     final RayGenerator generator = anyCamera(random(new Random(1)).projection).getRayGenerator(7, 5);
-    for (final int[] pixel : new int[][] {{-1, 0}, {7, 0}, {0, -1}, {0, 5}, {Integer.MIN_VALUE, 0}, {0, Integer.MAX_VALUE}}) {
+    final int least = Integer.MIN_VALUE, most = Integer.MAX_VALUE;
+    for (final int[] pixel : new int[][] {{-1, 0}, {7, 0}, {0, -1}, {0, 5}, {least, 0}, {0, most}}) {
       final Exception wrong = assertThrows(IllegalArgumentException.class, () -> generator.getRay(pixel[0], pixel[1]));
       final boolean isColumn = pixel[0] != 0;
       assertTrue(wrong.getMessage().startsWith(isColumn ? "m " : "n "), wrong.getMessage());

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Random;
+
 import org.junit.jupiter.api.Test;
 
 import acceleration.RayTile;
@@ -23,11 +25,11 @@ class StudentsGeneratorTest {
 
     private final Ray[] rays;
 
-    Anything(final java.util.Random random, final int W, final int H) {
+    Anything(final Random random, final int W, final int H) {
       super(CAMERA, W, H);
       rays = new Ray[W * H];
       for (int i = 0; i < rays.length; i++) {
-        final Point3D R = new Point3D((float) random.nextGaussian(), (float) random.nextGaussian(), (float) random.nextGaussian());
+        final Point3D R = new Point3D((float) random.nextGaussian(), (float) random.nextGaussian(), random.nextFloat());
         rays[i] = random.nextInt(5) == 0 ? Ray.NORAY
             : new Ray(R, new Vector3D((float) random.nextGaussian(), random.nextInt(3) - 1, 0.5f));
       }
@@ -53,7 +55,8 @@ class StudentsGeneratorTest {
       tile.close();
       for (int row = 0; row < rows; row++) {
         for (int column = 0; column < columns; column++) {
-          rays[0] += ProjectionContract.assertSameRay(generator.getRay(m + column, n + row), tile, row * RayTile.SIZE + column);
+          final Ray ray = generator.getRay(m + column, n + row);
+          rays[0] += ProjectionContract.assertSameRay(ray, tile, row * RayTile.SIZE + column);
         }
       }
     });
@@ -64,7 +67,7 @@ class StudentsGeneratorTest {
   void aTileForgetsTheRaysItHeldBefore() {
     final RayTile tile = new RayTile();
     tile.open(16, 16);
-    new Anything(new java.util.Random(1), 16, 16).fill(tile, 0, 0);
+    new Anything(new Random(1), 16, 16).fill(tile, 0, 0);
     tile.close();
     tile.open(16, 16);
     for (int i = 0; i < 256; i++) {
