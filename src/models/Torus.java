@@ -95,8 +95,9 @@ public class Torus extends ProceduralObject3D {
     if (!(leave >= enter && leave > start) || inHole(enter, p2, h, slope) && inHole(leave, p2, h, slope)) {
       return Double.POSITIVE_INFINITY;
     }
-    return across(start, enter, leave, px - h * axis.ux, py - h * axis.uy, pz - h * axis.uz,
-        dx - slope * axis.ux, dy - slope * axis.uy, dz - slope * axis.uz, h, slope) - start;
+    final double t = across(start, enter, leave, px - h * axis.ux, py - h * axis.uy, pz - h * axis.uz,
+        dx - slope * axis.ux, dy - slope * axis.uy, dz - slope * axis.uz, h, slope);
+    return t > start ? t - start : Double.POSITIVE_INFINITY;
   }
 
   private boolean inHole(final double t, final double p2, final double h, final double slope) {

@@ -135,10 +135,11 @@ final class TorusMarch {
       if (c <= 0 || s <= close(rho)) {
         return t;
       }
-      final double longest = x < 0 ? 2 * s : Double.POSITIVE_INFINITY;
+      final double touch = Math.max(rho, c * quarter), ahead = touch - rho, longest = x < 0 ? 2 * s : Double.MAX_VALUE;
       final double least = x < 0 ? Math.max(Math.sqrt(aside2), rho - longest * speed) : rho;
-      final double bend = least > 0 ? Math.min(1 / rho, aside2 / (least * least * least)) : 1 / rho;
-      s = Math.min(longest, firstRoot(c, t - R * speed * x / rho, 1 - R * speed * speed * bend));
+      final double bend = ahead == 0 && least > 0 ? Math.min(1 / touch, aside2 / (least * least * least)) : 1 / touch;
+      s = Math.min(longest, firstRoot(c - R * ahead * ahead / touch, t - R * speed * x / touch,
+          1 - R * speed * speed * bend));
       t += s;
     }
     return Double.POSITIVE_INFINITY;
@@ -158,7 +159,10 @@ final class TorusMarch {
     return CLOSE * Math.min(r, Math.max(rho, CUSP * outer));
   }
 
-  /** Marches inside, as {@link #fromOutside} does outside, with the least ρ″ of the whole torus. There is always a far wall. */
+  /**
+   * Marches inside, as {@link #fromOutside} does outside, with the least ρ″ of the whole torus. There is always a far
+   * wall.
+   */
   private double fromInside(final double from, final double place, final double speed, final double aside2,
       final double h, final double slope) {
     final double q = Math.max(r / outer, 1 - R * speed * speed * aside2 / (outer * outer * outer));
@@ -191,8 +195,9 @@ final class TorusMarch {
       }
       final double longest = 2 * s, later = x + longest * speed;
       final double greatest = Math.max(rho, Math.sqrt(later * later + aside2));
-      final double bend = aside2 / (greatest * greatest * greatest);
-      s = Math.min(longest, firstRoot(-c, R * speed * x / rho - t, R * speed * speed * bend - 1));
+      final double bend = greatest > 0 ? aside2 / (greatest * greatest * greatest) : 0;
+      s = Math.min(longest, firstRoot(-c, R * speed * x / Math.max(rho, Double.MIN_NORMAL) - t,
+          R * speed * speed * bend - 1));
       t += s;
     }
     return t;

@@ -1,0 +1,149 @@
+package models;
+
+import java.util.Arrays;
+
+import javax.vecmath.Tuple3f;
+
+import tracer.Ray;
+
+/**
+ * Judges the intersections of a closed shape by all crossings of the ray with its surface, computed independently and
+ * with more digits than doubles have.
+ *
+ * <p>What a ray does closer to the surface than a margin, some 1e-8 of the size of the shape, is left to rounding: it
+ * may be said to meet a surface that it passes at that distance, and to miss one into which it dips no deeper.
+ */
+abstract class CrossingOracle {
+
+  /** Depth, as a part of the size, that is left to rounding. */
+  private static final double MARGIN = 0x1p-27;
+
+  /** The same as a part of the coordinates of the start. */
+  private static final double FAR_MARGIN = 0x1p-50;
+
+  private final double size;
+
+  /** An oracle for a shape within a sphere of the given radius. */
+  CrossingOracle(final double size) {
+    this.size = size;
+  }
+
+  /** All distances along the ray's line, also behind its start, at which it crosses the surface, in order. */
+  abstract double[] crossings(Ray ray);
+
+  /** Signed distance of a point from the surface, at least near the surface; the sign is right everywhere. */
+  abstract double signedDistance(double x, double y, double z);
+
+  /** Outward unit normal at a point of the surface. */
+  abstract double[] normal(double x, double y, double z);
+
+  /** Whether the normal is the same all around a point of the surface, up to what the tolerance of t makes of it. */
+  abstract boolean isSmooth(double x, double y, double z);
+
+  double size() {
+    return size;
+  }
+
+  /**
+   * The first crossing ahead that must be found: the end of the first stretch of the ray, inside or outside, that gets
+   * farther from the surface than the margin, if the next such stretch is on the other side. Infinity if there is none.
+   */
+  double firstCertain(final Ray ray) {
+    return firstCertain(ray, margin(ray));
+  }
+
+  /** The same with a margin given as a length. */
+  double firstCertain(final Ray ray, final double margin) {
+    final double[] ahead = Arrays.stream(crossings(ray)).filter(t -> t > 0).toArray();
+    double from = 0;
+    int side = 0;
+    for (int i = 0; i <= ahead.length; i++) {
+      final double to = i < ahead.length ? ahead[i] : from + 4 * size;
+      final double way = greatestDistance(ray, from, to);
+      if (Math.abs(way) > margin) {
+        if (side * way < 0) {
+          return from;
+        }
+        side = (int) Math.signum(way);
+      }
+      from = to;
+    }
+    return Double.POSITIVE_INFINITY;
+  }
+
+  private double greatestDistance(final Ray ray, final double from, final double to) {
+    double greatest = 0;
+    for (int i = 0; i <= 16; i++) {
+      final double distance = distanceAt(ray, from + (to - from) * i / 16);
+      greatest = Math.abs(distance) > Math.abs(greatest) ? distance : greatest;
+    }
+    return greatest;
+  }
+
+  double distanceAt(final Ray ray, final double t) {
+    return signedDistance(ray.startX() + t * ray.directionX(), ray.startY() + t * ray.directionY(),
+        ray.startZ() + t * ray.directionZ());
+  }
+
+  double margin(final Ray ray) {
+    final double start = Math.abs(ray.startX()) + Math.abs(ray.startY()) + Math.abs(ray.startZ());
+    return MARGIN * size + FAR_MARGIN * start;
+  }
+
+  /**
+   * What is wrong with a distance found for a ray; null if nothing is.
+   *
+   * @param t the distance; infinity says that the ray misses
+   * @param certain {@link #firstCertain} of the ray
+   */
+  String fault(final Ray ray, final double t, final double certain) {
+    if (t > certain + tolerance(t)) {
+      return "passes the crossing at " + certain + ": " + t;
+    }
+    if (t < Double.POSITIVE_INFINITY && !(Math.abs(t - certain) <= tolerance(t))
+        && !(t > 0 && Math.abs(distanceAt(ray, t)) <= margin(ray))) {
+      return t + " is not on the surface, which is first crossed at " + certain;
+    }
+    return Double.isNaN(t) ? "NaN" : null;
+  }
+
+  double tolerance(final double t) {
+    return 0x1p-22 * size + 0x1p-36 * t;
+  }
+
+  static DoubleDouble[] exact(final Tuple3f v) {
+    return new DoubleDouble[] {DoubleDouble.of(v.x), DoubleDouble.of(v.y), DoubleDouble.of(v.z)};
+  }
+
+  static DoubleDouble[] start(final Ray ray) {
+    return new DoubleDouble[] {
+        DoubleDouble.of(ray.startX()), DoubleDouble.of(ray.startY()), DoubleDouble.of(ray.startZ())};
+  }
+
+  static DoubleDouble[] direction(final Ray ray) {
+    return new DoubleDouble[] {
+        DoubleDouble.of(ray.directionX()), DoubleDouble.of(ray.directionY()), DoubleDouble.of(ray.directionZ())};
+  }
+
+  static DoubleDouble[] minus(final DoubleDouble[] a, final DoubleDouble[] b) {
+    return new DoubleDouble[] {a[0].minus(b[0]), a[1].minus(b[1]), a[2].minus(b[2])};
+  }
+
+  static DoubleDouble[] ahead(final DoubleDouble[] p, final DoubleDouble[] d, final double t) {
+    return new DoubleDouble[] {p[0].plus(d[0].times(t)), p[1].plus(d[1].times(t)), p[2].plus(d[2].times(t))};
+  }
+
+  static DoubleDouble[] unit(final Tuple3f v) {
+    return unit(exact(v));
+  }
+
+  static DoubleDouble[] unit(final DoubleDouble[] v) {
+    final DoubleDouble length = DoubleDouble.dot(v, v).sqrt();
+    return new DoubleDouble[] {v[0].over(length), v[1].over(length), v[2].over(length)};
+  }
+
+  static double[] normalised(final double x, final double y, final double z) {
+    final double length = Math.sqrt(x * x + y * y + z * z);
+    return new double[] {x / length, y / length, z / length};
+  }
+}

@@ -1,0 +1,85 @@
+package models;
+
+import java.util.Arrays;
+
+/**
+ * Real roots of a polynomial where its sign changes, in order, by bisection between the roots of its derivative: slow
+ * and certain. Where a double cannot tell the sign, {@link DoubleDouble} does.
+ */
+final class PolynomialRoots {
+
+  /** Bound of the rounding errors of Horner's scheme in double, for degrees up to 4, as a part of the sum of moduli. */
+  private static final double UNSURE = 0x1p-49;
+
+  private final DoubleDouble[] coefficients;
+
+  private PolynomialRoots(final DoubleDouble... coefficients) {
+    this.coefficients = coefficients;
+  }
+
+  /**
+   * Roots between −bound and bound.
+   *
+   * @param coefficients that of the constant first
+   */
+  static double[] within(final double bound, final DoubleDouble... coefficients) {
+    return new PolynomialRoots(coefficients).roots(bound);
+  }
+
+  private double[] roots(final double bound) {
+    if (coefficients.length < 2) {
+      return new double[0];
+    }
+    final double[] turns = derivative().roots(bound);
+    final double[] found = new double[turns.length + 1];
+    int count = 0;
+    double from = -bound;
+    for (int i = 0; i <= turns.length; i++) {
+      final double to = i < turns.length ? turns[i] : bound;
+      if (sign(from) * sign(to) < 0) {
+        found[count++] = bisect(from, to, bound);
+      }
+      from = to;
+    }
+    return Arrays.copyOf(found, count);
+  }
+
+  private PolynomialRoots derivative() {
+    final DoubleDouble[] slopes = new DoubleDouble[coefficients.length - 1];
+    for (int i = 0; i < slopes.length; i++) {
+      slopes[i] = coefficients[i + 1].times(i + 1);
+    }
+    return new PolynomialRoots(slopes);
+  }
+
+  private double bisect(final double from, final double to, final double bound) {
+    final int before = sign(from);
+    double low = from, high = to, middle = 0.5 * (low + high);
+    while (low < middle && middle < high && high - low > 0x1p-60 * bound) {
+      if (sign(middle) == before) {
+        low = middle;
+      } else {
+        high = middle;
+      }
+      middle = 0.5 * (low + high);
+    }
+    return middle;
+  }
+
+  private int sign(final double x) {
+    double value = 0, modulus = 0;
+    for (int i = coefficients.length - 1; i >= 0; i--) {
+      value = value * x + coefficients[i].high();
+      modulus = modulus * Math.abs(x) + Math.abs(coefficients[i].high());
+    }
+    return Math.abs(value) > UNSURE * modulus ? (int) Math.signum(value) : exactSign(x);
+  }
+
+  private int exactSign(final double x) {
+    DoubleDouble value = DoubleDouble.ZERO;
+    for (int i = coefficients.length - 1; i >= 0; i--) {
+      value = value.times(x).plus(coefficients[i]);
+    }
+    return value.sign();
+  }
+}
