@@ -1,6 +1,18 @@
 package models;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import java.awt.Color;
+
+import javax.vecmath.Vector3f;
+
+import org.junit.jupiter.api.Test;
+
+import primitives.Point3D;
+import primitives.Vector3D;
+import tracer.Hit;
+import tracer.Ray;
 
 /** The laws for an ellipsoid; how exact it is in its harder places is the matter of a test of its own. */
 class EllipsoidContractTest implements Object3DContract {
@@ -24,5 +36,29 @@ class EllipsoidContractTest implements Object3DContract {
   @Override
   public double accuracy() {
     return 1e-8;
+  }
+
+  /** A unit sphere stretched by (3, 0.5, 2), turned by 90° about z so that i becomes y, and moved. */
+  @Test
+  void agreesWithATransformedSphere() {
+    final Object3D sphere = new AffineTransformation(new Vector3f(3, 0.5f, 2), new Vector3f(0, 0, 1), 90, new Vector3f(1, 2, 3),
+        new Sphere(new Point3D(), 1, Color.RED));
+    final Ellipsoid ellipsoid = new Ellipsoid(new Point3D(1, 2, 3), new Vector3D(0, 1, 0), new Vector3D(-1, 5, 0), 3, 0.5f, 2,
+        Color.RED);
+    final RandomNumbers numbers = new RandomNumbers("ellipsoid as a sphere");
+    final ContractRays rays = new ContractRays(numbers, new Point3D(1, 2, 3), 6);
+    int hits = 0;
+    for (int i = 0; i < RandomNumbers.times(5000); i++) {
+      final Ray ray = rays.next();
+      final Hit expected = sphere.intersectionWith(ray), hit = ellipsoid.intersectionWith(ray);
+      final String what = ray + ": " + expected + ", " + hit + ", " + numbers;
+      assertEquals(expected.hits(), hit.hits(), what);
+      if (hit.hits()) {
+        hits++;
+        assertEquals(expected.getT(), hit.getT(), 1e-6 * (6 + hit.getT()), what);
+        HitAssertions.assertClose(expected.getNormal(), hit.getNormal(), 1e-3, what);
+      }
+    }
+    assertTrue(hits > RandomNumbers.times(500), hits + " hits");
   }
 }

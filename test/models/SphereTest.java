@@ -108,6 +108,25 @@ class SphereTest implements Object3DContract {
     trial.assertCounts(1200, 400, 24);
   }
 
+  /** The radius is chosen to be a little more or less than the distance of the centre from the ray, known to 50 digits. */
+  @Test
+  void raysThatJustHitOrJustMissAFarSphereAreToldApart() {
+    final RandomNumbers numbers = new RandomNumbers("just hit or miss");
+    for (int i = 0; i < RandomNumbers.times(400); i++) {
+      final float size = numbers.magnitude(-20, 20);
+      final Point3D C = numbers.pointAbout(new Point3D(), size), R = numbers.pointAbout(C, size * numbers.magnitude(3, 21));
+      final Ray ray = new Ray(R, numbers.pointAbout(C, size));
+      final ExactSpan.Line line = ExactSpan.Line.of(ray);
+      final double p = line.direction().cross(ExactVector.of(C).minus(line.start())).length().doubleValue();
+      final boolean hits = i % 2 == 0;
+      final float r = (float) (p * (1 + (hits ? 1 : -1) * numbers.magnitude(-18, -6)));
+      if (R.distance(C) < 1e7 * r && R.distance(C) > 2 * r) {
+        assertEquals(hits, new Sphere(C, r, Color.RED).intersectionWith(ray).hits(), () -> C + ", " + r + ", " + ray + ", "
+            + numbers);
+      }
+    }
+  }
+
   @Test
   void hugeAndTinySpheresAreHit() {
     for (final float r : new float[] {1e-30f, 1e-15f, 1e15f, 1e30f}) {
