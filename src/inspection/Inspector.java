@@ -7,7 +7,9 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 
+import acceleration.RayTile;
 import models.Cost;
+import models.TileHits;
 import scenes.Scene;
 import tracer.Hit;
 import tracer.Ray;
@@ -50,16 +52,39 @@ public final class Inspector {
     final Ray ray = generator.getRay(index("m", W, m), index("n", H, n));
     final String projection = scene.camera().getProjection().getClass().getSimpleName();
     final List<Formula> formulas = new RayFormulas(scene.camera(), W, H, m, n).of(ray);
-    final List<Meeting> meetings = ray == Ray.NORAY ? List.of() : meetings(ray);
-    final Hit hit = meetings.stream().filter(Meeting::winner).map(Meeting::hit).findFirst().orElse(Hit.NOHIT);
-    return new Inspection(new PixelRay(m, n, W, H, projection, formulas, ray), meetings, colour(ray, hit), tests(ray));
+    final Hit hit = closest(m, n);
+    return new Inspection(new PixelRay(m, n, W, H, projection, formulas, ray), meetings(ray, hit), colour(ray, hit),
+        tests(ray));
   }
 
-  private List<Meeting> meetings(final Ray ray) {
-    final List<Meeting> meetings = new ArrayList<>(new Meetings(scene, ray).all());
+  /**
+   * What the scene itself answers for the tile of the picture that the pixel is in: not what a mistake in some object, such as
+   * too small a box, keeps it from finding there.
+   */
+  private Hit closest(final int m, final int n) {
+    final int column = m % RayTile.SIZE, row = n % RayTile.SIZE, firstM = m - column, firstN = n - row;
+    final RayTile rays = new RayTile();
+    final TileHits hits = new TileHits(rays);
+    rays.open(Math.min(RayTile.SIZE, generator.getWidth() - firstM), Math.min(RayTile.SIZE, generator.getHeight() - firstN));
+    generator.fill(rays, firstM, firstN);
+    rays.close();
+    hits.clear();
+    try {
+      scene.objects().closestHits(rays, hits);
+      return hits.hit(row * RayTile.SIZE + column);
+    } catch (final RuntimeException failed) {
+      return Hit.NOHIT;
+    }
+  }
+
+  private List<Meeting> meetings(final Ray ray, final Hit closest) {
+    final List<Meeting> meetings = ray == Ray.NORAY ? new ArrayList<>() : new ArrayList<>(new Meetings(scene, ray).all());
     meetings.sort(Comparator.comparing(meeting -> meeting.hit().getT()));
-    if (!meetings.isEmpty() && meetings.get(0).hit().hits()) {
-      meetings.set(0, meetings.get(0).asWinner());
+    for (int i = 0; i < meetings.size(); i++) {
+      if (closest.hits() && meetings.get(i).hit().getObject() == closest.getObject()) {
+        meetings.set(i, meetings.get(i).asWinner());
+        break;
+      }
     }
     return meetings;
   }

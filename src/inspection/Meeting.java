@@ -14,7 +14,7 @@ import tracer.Hit;
  * @param whole the object of the scene that it is part of; the same if it is not part of another
  * @param name what the scene calls it; empty if it has no name
  * @param hit the hit, in the scene; {@link Hit#NOHIT} if there are only findings to tell
- * @param winner whether it is the closest of all, the one that is painted
+ * @param winner whether it is what the scene answers, the one that is painted
  * @param frames for an object that is transformed its ray and hit in its own frame, from the outermost transformation to the
  *     innermost
  * @param march for an object that is marched to, the march in its own frame

@@ -8,6 +8,7 @@ import java.util.List;
 
 import models.Group3D;
 import models.Object3D;
+import models.Plane;
 import primitives.BoundingBox;
 import primitives.Point3D;
 import primitives.Vector3D;
@@ -20,8 +21,8 @@ import view.Orthographic;
 import view.Projection;
 
 /**
- * A scene and its camera as a line drawing in space: the camera's frame, the window of the projection with its grid of pixels,
- * the boxes of the objects, and the ray of a pixel. It is for looking at from outside.
+ * A scene and its camera as a line drawing in space: the camera's frame, the window of the projection with its grid of
+ * pixels, the boxes of the objects, and the ray of a pixel. It is for looking at from outside.
  */
 public final class Outline {
 
@@ -47,6 +48,8 @@ public final class Outline {
     FRUSTUM,
     /** The box of an object. */
     BOX,
+    /** A square of a plane, which has no end. */
+    PLANE,
     /** The ray of the pinned pixel, up to what it meets. */
     RAY,
     /** The normal where it meets it. */
@@ -59,7 +62,7 @@ public final class Outline {
    * @param kind what it is part of
    * @param from one end
    * @param to the other end
-   * @param argb colour of the object that a box is about; 0 if it has none, and for all other kinds
+   * @param argb colour of the object that a box is about, or of a plane; 0 if it has none, and for all other kinds
    */
   public record Line(Kind kind, Point3D from, Point3D to, int argb) {
   }
@@ -106,6 +109,7 @@ public final class Outline {
   public static List<Line> of(final Scene scene, final int W, final int H, final Ray ray, final Hit hit) {
     final Outline outline = new Outline(scene, W, H);
     outline.addBoxes(scene.objects());
+    outline.addPlanes(scene.objects());
     outline.addCamera();
     if (notNull("ray", ray) != Ray.NORAY) {
       outline.addRay(ray, notNull("hit", hit));
@@ -139,6 +143,49 @@ public final class Outline {
   private static Point3D corner(final BoundingBox box, final int bits) {
     return new Point3D((bits & 1) == 0 ? box.minX() : box.maxX(), (bits & 2) == 0 ? box.minY() : box.maxY(),
         (bits & 4) == 0 ? box.minZ() : box.maxZ());
+  }
+
+  private void addPlanes(final Group3D group) {
+    for (final Object3D object : group.getObjects()) {
+      if (object instanceof Group3D part) {
+        addPlanes(part);
+      } else if (object instanceof Plane plane) {
+        addSquare(plane, plane.intersectionWith(new Ray(middle(), normal(plane))),
+            plane.intersectionWith(new Ray(middle(), opposite(normal(plane)))));
+      }
+    }
+  }
+
+  private static Vector3D normal(final Plane plane) {
+    return (Vector3D) plane.constructorArguments().get(1);
+  }
+
+  private static Vector3D opposite(final Vector3D v) {
+    return new Vector3D(-v.x, -v.y, -v.z);
+  }
+
+  private Point3D middle() {
+    final Point3D middle = bounds.getMin();
+    middle.interpolate(bounds.getMax(), 0.5f);
+    return middle;
+  }
+
+  /** A square about the foot of the middle of all else on a plane, to whichever side of the plane that is. */
+  private void addSquare(final Plane plane, final Hit ahead, final Hit behind) {
+    final Point3D foot = ahead.hits() ? ahead.getPoint() : behind.hits() ? behind.getPoint() : middle();
+    final Vector3D n = normal(plane), u = new Vector3D(), v = new Vector3D();
+    u.cross(n, Math.abs(n.x) < 0.7f ? new Vector3D(1, 0, 0) : new Vector3D(0, 1, 0));
+    u.normalize();
+    v.cross(n, u);
+    final Point3D[] corners = new Point3D[4];
+    for (int i = 0; i < corners.length; i++) {
+      corners[i] = new Point3D(foot);
+      corners[i].scaleAdd((i == 0 || i == 3 ? -0.4f : 0.4f) * size(), u, corners[i]);
+      corners[i].scaleAdd((i < 2 ? -0.4f : 0.4f) * size(), v, corners[i]);
+    }
+    for (int i = 0; i < corners.length; i++) {
+      lines.add(new Line(Kind.PLANE, corners[i], corners[(i + 1) % corners.length], plane.getColor().getRGB()));
+    }
   }
 
   /** Size of all that is drawn. */

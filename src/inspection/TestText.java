@@ -55,7 +55,8 @@ public final class TestText {
     final StringJoiner text = new StringJoiner(NEW_LINE, "", NEW_LINE);
     text.add("  /** Pixel (" + pixel.m() + ", " + pixel.n() + ") of " + pixel.W() + " x " + pixel.H() + ". */");
     text.add("  @org.junit.jupiter.api.Test");
-    text.add("  void pixel" + pixel.m() + "And" + pixel.n() + "Meets" + meeting.object().getClass().getSimpleName() + "() {");
+    text.add("  void pixel" + pixel.m() + "And" + pixel.n() + "Meets"
+        + meeting.object().getClass().getSimpleName() + "() {");
     text.add("    final models.Object3D object = " + object(meeting.whole()) + ";");
     text.add("    final tracer.Ray ray = new tracer.Ray(" + tuple("primitives.Point3D", ray.getStartingPoint()) + ",");
     text.add("        " + tuple("primitives.Vector3D", ray.getDirection()) + ");");

@@ -8,11 +8,16 @@ final class Failure {
   private Failure() {
   }
 
-  /** The exception as a problem at the place in the code where it was thrown. */
+  /** The exception as a problem, at the place in the code where it began. */
   static Problem problem(final Throwable failure) {
-    final StackTraceElement[] trace = failure.getStackTrace();
+    Throwable first = failure;
+    while (first.getCause() != null) {
+      first = first.getCause();
+    }
+    final StackTraceElement[] trace = first.getStackTrace();
     final boolean known = trace.length > 0 && trace[0].getFileName() != null;
+    final String message = failure == first || failure.getMessage() == null ? failure.toString() : failure.getMessage();
     return new Problem(known ? trace[0].getFileName() : "", known ? Math.max(0, trace[0].getLineNumber()) : 0, 0,
-        Problem.Severity.ERROR, failure.toString());
+        Problem.Severity.ERROR, message);
   }
 }

@@ -13,7 +13,7 @@ import java.util.Locale;
 
 import models.March;
 
-/** A march as a plot: the distance along the ray to the right, the value of the signed distance upwards, a dot for each step. */
+/** A march as a plot: to the right the distance along the ray, upwards the signed distance, a dot for each step. */
 final class MarchPlot extends Drawing {
 
   private static final long serialVersionUID = 1L;
@@ -57,7 +57,8 @@ final class MarchPlot extends Drawing {
     final FontMetrics font = g.getFontMetrics();
     final int top = MARGIN + font.getHeight();
     final double width = getWidth() - 2.0 * MARGIN, height = getHeight() - top - 2.0 * MARGIN;
-    final double kx = width / Math.max(greatestT, Double.MIN_NORMAL), ky = height / Math.max(most - least, Double.MIN_NORMAL);
+    final double kx = width / Math.max(greatestT, Double.MIN_NORMAL);
+    final double ky = height / Math.max(most - least, Double.MIN_NORMAL);
     final double zero = top + most * ky;
     g.setColor(Color.GRAY);
     g.draw(new Line2D.Double(MARGIN, zero, MARGIN + width, zero));

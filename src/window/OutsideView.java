@@ -131,7 +131,7 @@ final class OutsideView extends Drawing {
 
   /** Boxes have the colour of their object, but never one so light that it is not seen on white. */
   private static Color colour(final Outline.Line line) {
-    if (line.kind() != Outline.Kind.BOX) {
+    if (line.kind() != Outline.Kind.BOX && line.kind() != Outline.Kind.PLANE) {
       return COLOURS.get(line.kind());
     }
     final Color own = line.argb() == 0 ? Color.GRAY : new Color(line.argb());
@@ -142,7 +142,7 @@ final class OutsideView extends Drawing {
     return switch (kind) {
       case GRID -> new BasicStroke(0.5f);
       case FRUSTUM -> new BasicStroke(0.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1, new float[] {5, 4}, 0);
-      case BOX -> new BasicStroke(0.9f);
+      case BOX, PLANE -> new BasicStroke(0.9f);
       default -> new BasicStroke(2);
     };
   }

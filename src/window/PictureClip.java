@@ -6,7 +6,7 @@ import java.awt.datatransfer.Transferable;
 import java.awt.datatransfer.UnsupportedFlavorException;
 import java.awt.image.BufferedImage;
 
-/** A picture on the clipboard: as it was when it was copied. Most programs want it without transparency, so white is behind. */
+/** A picture on the clipboard, as it was when it was copied. White is behind it: most programs know no transparency. */
 final class PictureClip implements Transferable {
 
   private final BufferedImage picture;

@@ -17,7 +17,7 @@ record PictureSize(int percent, int width, int height) {
   static final PictureSize OWN = new PictureSize(100, 0, 0);
 
   private static final Pattern PERCENT = Pattern.compile("\\s*(\\d{1,4})\\s*%\\s*");
-  private static final Pattern PIXELS = Pattern.compile("\\s*(\\d{1,6}|\\?)\\s*[x×*,; ]\\s*(\\d{1,6}|\\?)\\s*");
+  private static final Pattern PIXELS = Pattern.compile("\\s*([1-9]\\d{0,5}|\\?)\\s*[x×*,; ]\\s*([1-9]\\d{0,5}|\\?)\\s*");
 
   /** The size of a text such as {@code 50 %}, {@code 640 x 480} or {@code 640 x ?}; empty if it is none. */
   static Optional<PictureSize> of(final String text) {

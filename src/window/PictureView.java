@@ -15,7 +15,7 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 
-/** Shows a picture at any zoom, with a checkerboard where it is transparent, a grid between large pixels, and a pinned pixel. */
+/** Shows a picture at any zoom: a checkerboard where it is transparent, a grid between large pixels, a pinned pixel. */
 final class PictureView extends Drawing {
 
   private static final long serialVersionUID = 1L;

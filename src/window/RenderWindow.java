@@ -2,10 +2,8 @@ package window;
 
 import java.awt.BorderLayout;
 import java.awt.Color;
-import java.awt.Dimension;
 import java.awt.Frame;
 import java.awt.Point;
-import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -15,10 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-import javax.swing.JComponent;
 import javax.swing.JFrame;
-import javax.swing.JPanel;
-import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 
@@ -113,35 +108,15 @@ public final class RenderWindow {
   }
 
   private void layOut() {
-    final JPanel picture = new JPanel(new BorderLayout());
-    picture.add(view, BorderLayout.CENTER);
-    picture.add(legend, BorderLayout.EAST);
-    picture.setMinimumSize(new Dimension(200, 150));
-    final JSplitPane left = split(JSplitPane.VERTICAL_SPLIT, picture, problems, 1);
-    final JSplitPane both = split(JSplitPane.HORIZONTAL_SPLIT, left, inspector, 1);
     frame.setJMenuBar(menus);
     frame.add(toolBar, BorderLayout.NORTH);
-    frame.add(both, BorderLayout.CENTER);
+    frame.add(Arrangement.of(view, legend, problems, inspector), BorderLayout.CENTER);
     frame.add(status, BorderLayout.SOUTH);
     frame.getRootPane().setTransferHandler(new FileDrop(this::open));
     frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
     frame.setTitle("UPNaTRay");
     frame.setName("upnatray");
-    final Rectangle bounds = settings.bounds();
-    frame.setSize(bounds.getSize());
-    final Rectangle screen = frame.getGraphicsConfiguration().getBounds();
-    if (bounds.x >= 0 && screen.intersects(bounds)) {
-      frame.setLocation(bounds.getLocation());
-    } else {
-      frame.setLocationRelativeTo(null);
-    }
-  }
-
-  private static JSplitPane split(final int direction, final JComponent one, final JComponent other, final double weight) {
-    final JSplitPane split = new JSplitPane(direction, one, other);
-    split.setResizeWeight(weight);
-    split.setBorder(null);
-    return split;
+    Arrangement.place(frame, settings.bounds());
   }
 
   /** Opens a scene file, and watches it from now on. */
@@ -149,6 +124,7 @@ public final class RenderWindow {
     file = path;
     scene = null;
     job = null;
+    canvas = null;
     view.unpin();
     inspector.clear();
     settings.addRecent(path);

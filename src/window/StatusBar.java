@@ -89,6 +89,7 @@ final class StatusBar extends JPanel {
   }
 
   private static String rays(final double rays) {
-    return rays < 1e6 ? String.format(Locale.ROOT, "%.0f k", rays * 1e-3) : String.format(Locale.ROOT, "%.2f M", rays * 1e-6);
+    return rays < 1e6 ? String.format(Locale.ROOT, "%.0f k", rays * 1e-3)
+        : String.format(Locale.ROOT, "%.2f M", rays * 1e-6);
   }
 }

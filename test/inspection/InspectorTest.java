@@ -228,6 +228,14 @@ class InspectorTest {
         findings(withBox(new BoundingBox(new Point3D(2, 2, 2), new Point3D(3, 3, 3)), 1)));
   }
 
+  /** As in the picture, where the group does not ask it. */
+  @Test
+  void anObjectWithTooSmallABoxIsNotTheWinner() {
+    final Inspection inspection = centre(withBox(new BoundingBox(new Point3D(2, 2, 2), new Point3D(3, 3, 3)), 1));
+    assertFalse(inspection.meetings().get(0).winner());
+    assertEquals(new Color(10, 20, 30).getRGB(), inspection.argb());
+  }
+
   @Test
   void aNormalThatLooksInwardIsFound() {
     final BoundingBox box = new BoundingBox(new Point3D(-1, -1, -1), new Point3D(1, 1, 1));

@@ -35,6 +35,8 @@ class OutlineTest {
     assertEquals(24, count(lines, Outline.Kind.BOX));
     assertEquals(Color.RED.getRGB(), first(lines, Outline.Kind.BOX).argb());
     assertEquals(0, count(lines, Outline.Kind.RAY));
+    assertEquals(4, count(lines, Outline.Kind.PLANE));
+    lines.stream().filter(line -> line.kind() == Outline.Kind.PLANE).forEach(line -> assertEquals(0, line.from().y, 1e-6f));
   }
 
   @Test

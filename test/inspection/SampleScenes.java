@@ -59,7 +59,8 @@ public final class SampleScenes {
         new Torus(new Point3D(-1, 0.6f, 0), slanted, 0.4f, 0.12f, Color.MAGENTA),
         new Ellipsoid(new Point3D(0.6f, 0.9f, 0), right, up, 0.5f, 0.2f, 0.3f, Color.ORANGE),
         new Triangle(new Point3D(-0.5f, 1, 0), new Point3D(0, 1, 0.2f), new Point3D(-0.2f, 1.4f, 0), Color.PINK),
-        TriangularMesh.of(new float[] {0, -1, 1, 0.8f, -1, 1, 0.8f, -0.5f, 1, 0, -0.5f, 1}, new int[] {0, 1, 2, 0, 2, 3}, null),
+        TriangularMesh.of(new float[] {0, -1, 1, 0.8f, -1, 1, 0.8f, -0.5f, 1, 0, -0.5f, 1},
+            new int[] {0, 1, 2, 0, 2, 3}, null),
         new AffineTransformation(new Vector3f(1, 2, -0.5f), new Vector3f(1, 1, 0), 40, new Vector3f(-0.3f, -1, 1),
             new Torus(new Point3D(), up, 0.3f, 0.1f, Color.YELLOW)),
         new AffineTransformation(new Vector3f(0, 1, 0), 30, group)};

@@ -93,7 +93,8 @@ class TestTextTest {
         .inspect(W / 2, H / 2);
     final String text = TestText.of(inspection, inspection.meetings().get(0));
     assertEquals(1, run(compiled(List.of(text))));
-    final Object wrong = compiled(List.of(text.replace("1.0f,\n        new java.awt.Color", "1.1f,\n        new java.awt.Color")));
+    final String colour = ",\n        new java.awt.Color";
+    final Object wrong = compiled(List.of(text.replace("1.0f" + colour, "1.1f" + colour)));
     final Exception thrown = assertThrows(InvocationTargetException.class, () -> run(wrong));
     assertTrue(thrown.getCause() instanceof AssertionFailedError);
   }

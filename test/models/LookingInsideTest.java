@@ -112,7 +112,8 @@ class LookingInsideTest {
     int hits = 0;
     for (final Object3D object : objects) {
       for (int i = 0; i < 400; i++) {
-        final Ray ray = new Ray(new Point3D(i % 20 * 0.15f - 1.4f, i / 20 * 0.15f - 1.4f, 5), new Vector3D(0.02f, 0.01f, -1));
+        final Ray ray = new Ray(new Point3D(i % 20 * 0.15f - 1.4f, i / 20 * 0.15f - 1.4f, 5),
+            new Vector3D(0.02f, 0.01f, -1));
         final Hit hit = object.intersectionWith(ray);
         final March march = March.of(object, ray).orElseThrow();
         assertEquals(hit.hits(), march.end() == March.End.REACHED, ray::toString);

@@ -1,0 +1,44 @@
+package window;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Rectangle;
+
+import javax.swing.JComponent;
+import javax.swing.JFrame;
+import javax.swing.JPanel;
+import javax.swing.JSplitPane;
+
+/** Where the parts of the window are: the picture gets all the room that is left. */
+final class Arrangement {
+
+  private Arrangement() {
+  }
+
+  /** The picture with its legend, the problems below it, the inspector beside them. */
+  static JComponent of(final PictureView view, final LegendView legend, final ProblemTable problems,
+      final InspectorPanel inspector) {
+    final JPanel picture = new JPanel(new BorderLayout());
+    picture.add(view, BorderLayout.CENTER);
+    picture.add(legend, BorderLayout.EAST);
+    picture.setMinimumSize(new Dimension(200, 150));
+    return split(JSplitPane.HORIZONTAL_SPLIT, split(JSplitPane.VERTICAL_SPLIT, picture, problems), inspector);
+  }
+
+  private static JSplitPane split(final int direction, final JComponent one, final JComponent other) {
+    final JSplitPane split = new JSplitPane(direction, one, other);
+    split.setResizeWeight(1);
+    split.setBorder(null);
+    return split;
+  }
+
+  /** Puts the frame where it was the last time, or in the middle if that is no longer on the screen. */
+  static void place(final JFrame frame, final Rectangle bounds) {
+    frame.setSize(bounds.getSize());
+    if (bounds.x >= 0 && frame.getGraphicsConfiguration().getBounds().intersects(bounds)) {
+      frame.setLocation(bounds.getLocation());
+    } else {
+      frame.setLocationRelativeTo(null);
+    }
+  }
+}

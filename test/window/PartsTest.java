@@ -1,0 +1,154 @@
+package window;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Enumeration;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.ResourceBundle;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import inspection.ColourStep;
+import inspection.Finding;
+import models.March;
+import scenes.Problem;
+import upnatray.View;
+
+/** The parts of the window that need no display. */
+class PartsTest {
+
+  @Test
+  void sizesAreReadAsTheyAreWritten() {
+    assertEquals(Optional.of(new PictureSize(50, 0, 0)), PictureSize.of("50 %"));
+    assertEquals(Optional.of(new PictureSize(0, 640, 480)), PictureSize.of(" 640x480"));
+    assertEquals(Optional.of(new PictureSize(0, 640, 0)), PictureSize.of("640 x ?"));
+    for (final String wrong : new String[] {"", "0 %", "0 x 480", "? x ?", "640", "large", "-5 x 5", "1000000 x 2"}) {
+      assertEquals(Optional.empty(), PictureSize.of(wrong), wrong);
+    }
+    for (final PictureSize size : List.of(PictureSize.OWN, new PictureSize(0, 3, 4), new PictureSize(0, 0, 4))) {
+      assertEquals(Optional.of(size), PictureSize.of(size.toString()));
+    }
+  }
+
+  @Test
+  void oneSideAloneKeepsTheProportion() {
+    final PictureSize half = new PictureSize(50, 0, 0), wide = new PictureSize(0, 100, 0), high = new PictureSize(0, 0, 90);
+    assertEquals(32, half.widthOf(64, 48));
+    assertEquals(75, wide.heightOf(64, 48));
+    assertEquals(120, high.widthOf(64, 48));
+    assertEquals(90, high.heightOf(64, 48));
+    assertEquals(1, new PictureSize(1, 0, 0).heightOf(64, 48));
+  }
+
+  @Test
+  void zoomingKeepsWhatIsUnderThePointer() {
+    final Zoom zoom = Zoom.fit(200, 100, 400, 400);
+    assertEquals(new Zoom(2, 0, 100), zoom);
+    final Point pointer = new Point(301, 205);
+    final Point pixel = zoom.pixelAt(pointer);
+    assertEquals(new Point(150, 52), pixel);
+    Zoom other = zoom;
+    for (int i = 0; i < 30; i++) {
+      other = other.about(pointer, 1.25);
+      assertEquals(pixel, other.pixelAt(pointer));
+    }
+    assertEquals(64, other.scale());
+    assertTrue(other.onScreen(new Rectangle(pixel.x, pixel.y, 1, 1)).contains(pointer));
+    assertEquals(new Rectangle(0, 0, 200, 100), zoom.inPicture(new Rectangle(0, 100, 400, 200)));
+  }
+
+  @Test
+  void aCanvasShowsThePictureBeforeUntilATileIsDone() {
+    final BufferedImage before = new BufferedImage(4, 4, BufferedImage.TYPE_INT_ARGB);
+    final BufferedImage next = new BufferedImage(4, 4, BufferedImage.TYPE_INT_ARGB);
+    before.setRGB(0, 0, 0xff111111);
+    next.setRGB(0, 0, 0xff222222);
+    next.setRGB(3, 3, 0xff333333);
+    final Canvas canvas = new Canvas(next, before);
+    assertEquals(0xff111111, canvas.picture().getRGB(0, 0));
+    canvas.tileDone(2, 2, 2, 2);
+    assertEquals(0xff333333, canvas.picture().getRGB(3, 3));
+    assertEquals(0xff111111, canvas.picture().getRGB(0, 0));
+    assertEquals(new Rectangle(2, 2, 2, 2), canvas.takeChanged());
+    assertTrue(canvas.takeChanged().isEmpty());
+    canvas.tileDone(0, 0, 2, 2);
+    assertEquals(0xff222222, canvas.picture().getRGB(0, 0));
+    assertEquals(0, new Canvas(next, new BufferedImage(5, 4, BufferedImage.TYPE_INT_ARGB)).picture().getRGB(3, 3));
+  }
+
+  @Test
+  void filesThatAreReplacedOrWrittenAreNoticedOnce(@TempDir final Path folder) throws Exception {
+    final Path scene = Files.writeString(folder.resolve("a.xml"), "one"), other = folder.resolve("b.obj");
+    final Semaphore told = new Semaphore(0);
+    final SceneWatch watch = new SceneWatch(told::release);
+    try {
+      watch.watch(List.of(scene, other));
+      Files.writeString(scene, "one and two");
+      assertTrue(told.tryAcquire(10, TimeUnit.SECONDS));
+      Files.writeString(other, "it was not there");
+      assertTrue(told.tryAcquire(10, TimeUnit.SECONDS));
+      assertFalse(told.tryAcquire(1, TimeUnit.SECONDS));
+      watch.watch(List.of(other));
+      Files.delete(scene);
+      assertFalse(told.tryAcquire(1, TimeUnit.SECONDS));
+    } finally {
+      watch.stop();
+    }
+  }
+
+  @Test
+  void picturesAreSavedWholeAndReadBack(@TempDir final Path folder) throws IOException {
+    final BufferedImage picture = new BufferedImage(3, 2, BufferedImage.TYPE_INT_ARGB);
+    picture.setRGB(2, 1, 0x80123456);
+    final Path file = PictureFile.withEnding(folder.resolve("picture"));
+    PictureFile.save(picture, file);
+    assertEquals(folder.resolve("picture.png"), file);
+    assertEquals(0x80123456, PictureFile.read(file).getRGB(2, 1));
+    try (var files = Files.list(folder)) {
+      assertEquals(1, files.count());
+    }
+  }
+
+  private static Set<String> keys(final ResourceBundle bundle) {
+    final Set<String> keys = new TreeSet<>();
+    for (final Enumeration<String> all = bundle.getKeys(); all.hasMoreElements();) {
+      keys.add(all.nextElement());
+    }
+    return keys;
+  }
+
+  @Test
+  void everyTextIsThereInBothLanguages() {
+    final ResourceBundle.Control alone = ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_DEFAULT);
+    final ResourceBundle english = ResourceBundle.getBundle("window.messages", Locale.ROOT, alone);
+    final ResourceBundle spanish = ResourceBundle.getBundle("window.messages", new Locale("es"), alone);
+    final Set<String> keys = keys(english);
+    assertEquals(keys, keys(spanish));
+    int same = 0;
+    for (final String key : keys) {
+      same += english.getString(key).equals(spanish.getString(key)) ? 1 : 0;
+    }
+    assertTrue(same < keys.size() / 4, "not translated: " + same);
+    for (final Object kind : List.of(Finding.values(), March.End.values(), ColourStep.Kind.values(), View.values(),
+        Problem.Severity.values()).stream().flatMap(java.util.Arrays::stream).toList()) {
+      final String prefix = kind instanceof Finding ? "finding." : kind instanceof March.End ? "march."
+          : kind instanceof ColourStep.Kind ? "colour." : kind instanceof View ? "view." : "problems.";
+      assertTrue(keys.contains(prefix + kind) || keys.contains(prefix + kind + ".text"), prefix + kind);
+    }
+  }
+}

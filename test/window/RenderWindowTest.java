@@ -1,0 +1,439 @@
+package window;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.GraphicsEnvironment;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Robot;
+import java.awt.Toolkit;
+import java.awt.Window;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import java.util.concurrent.FutureTask;
+import java.util.prefs.Preferences;
+
+import javax.imageio.ImageIO;
+import javax.swing.AbstractButton;
+import javax.swing.Action;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.SwingUtilities;
+import javax.swing.TransferHandler;
+
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import inspection.SampleScenes;
+import models.Object3D;
+import scenes.Scene;
+import tracer.Hit;
+import tracer.Ray;
+import upnatray.View;
+import view.Orthographic;
+
+/** Drives a real window. Where there is no display these tests are skipped. */
+class RenderWindowTest {
+
+  private static final String SCENE = """
+      <image name="a ball">
+        <raster><W>80</W><H>60</H><backgroundColor>0 0 1</backgroundColor></raster>
+        <rayTracer><wblock>32</wblock><hblock>32</hblock><showProgress>true</showProgress></rayTracer>
+        <engine><illumination>false</illumination><falseLighting>false</falseLighting></engine>
+        <camera><position>0 0 5</position><lookAt>0 0 0</lookAt><up>0 1 0</up></camera>
+        <projection type="orthographic"><height>3</height><aspect>1.33333</aspect></projection>
+        <models><model id="ball" type="sphere"><radius>1</radius></model></models>
+        <scene><object><modelId>ball</modelId><color>255 0 0</color></object></scene>
+      </image>
+      """;
+
+  private static final int RED = 0xffff0000;
+  private static final int GREEN = 0xff00ff00;
+  private static final int BLUE = 0xff0000ff;
+
+  @TempDir
+  Path folder;
+
+  private Preferences preferences;
+  private RenderWindow window;
+  private Path scene;
+
+  @BeforeAll
+  static void needsADisplay() {
+    assumeFalse(GraphicsEnvironment.isHeadless(), "there is no display");
+  }
+
+  @BeforeEach
+  void openWindow() throws Exception {
+    preferences = Preferences.userRoot().node("upnatray/test" + ProcessHandle.current().pid());
+    preferences.clear();
+    scene = Files.writeString(folder.resolve("ball.xml"), SCENE);
+    on(() -> {
+      Theme.install(false);
+      window = new RenderWindow(new Settings(preferences), View.COLOUR, 2);
+      window.open(scene);
+      window.frame().setVisible(true);
+      return null;
+    });
+    waitFor(() -> window.job() != null && !window.isRunning());
+  }
+
+  @AfterEach
+  void closeWindow() throws Exception {
+    if (window != null) {
+      on(() -> {
+        window.close();
+        return null;
+      });
+      preferences.removeNode();
+    }
+  }
+
+  private static <T> T on(final Callable<T> action) throws Exception {
+    final FutureTask<T> task = new FutureTask<>(action);
+    if (SwingUtilities.isEventDispatchThread()) {
+      task.run();
+    } else {
+      SwingUtilities.invokeAndWait(task);
+    }
+    return task.get();
+  }
+
+  private static void waitFor(final Callable<Boolean> condition) throws Exception {
+    final long end = System.nanoTime() + 20_000_000_000L;
+    while (!on(condition)) {
+      if (System.nanoTime() > end) {
+        fail("it did not happen within 20 seconds");
+      }
+      Thread.sleep(20);
+    }
+  }
+
+  private int pixel(final int x, final int y) throws Exception {
+    return on(() -> window.view().picture().getRGB(x, y));
+  }
+
+  private void press(final String name) throws Exception {
+    final AbstractButton button = (AbstractButton) find(name);
+    on(() -> {
+      button.doClick();
+      return null;
+    });
+  }
+
+  private static Component find(final String name) {
+    for (final Window open : Window.getWindows()) {
+      final Component found = open.isShowing() ? find(open, name) : null;
+      if (found != null) {
+        return found;
+      }
+    }
+    return fail("there is no component " + name);
+  }
+
+  private static Component find(final Container container, final String name) {
+    for (final Component component : container.getComponents()) {
+      if (name.equals(component.getName())) {
+        return component;
+      }
+      final Component within = component instanceof Container ? find((Container) component, name) : null;
+      if (within != null) {
+        return within;
+      }
+    }
+    return null;
+  }
+
+  private String label(final String name) throws Exception {
+    return on(() -> ((JLabel) find(name)).getText());
+  }
+
+  @Test
+  void itShowsThePictureOfTheScene() throws Exception {
+    assertEquals(RED, pixel(40, 30));
+    assertEquals(BLUE, pixel(1, 1));
+    assertTrue(label("status").contains("80 x 60"), label("status"));
+    assertTrue(on(() -> window.frame().getTitle()).startsWith("ball.xml"));
+    assertEquals(List.of(scene.toAbsolutePath().normalize()), on(() -> window.settings().recent()));
+  }
+
+  @Test
+  void theScreenShowsWhatWasRendered() throws Exception {
+    final Point middle = on(() -> {
+      final Point place = window.view().getLocationOnScreen();
+      place.translate(window.view().getWidth() / 2, window.view().getHeight() / 2);
+      return place;
+    });
+    final Robot robot = new Robot();
+    waitFor(() -> robot.getPixelColor(middle.x, middle.y).equals(Color.RED));
+  }
+
+  @Test
+  void pointerShowsAndClickPinsThePixelInTheAssignmentsConvention() throws Exception {
+    final Robot robot = new Robot();
+    final Point place = on(() -> {
+      final Rectangle at = window.view().zoom().onScreen(new Rectangle(40, 20, 1, 1));
+      final Point origin = window.view().getLocationOnScreen();
+      return new Point(origin.x + at.x + at.width / 2, origin.y + at.y + at.height / 2);
+    });
+    robot.mouseMove(place.x, place.y);
+    robot.mouseMove(place.x + 1, place.y);
+    waitFor(() -> label("pixel").startsWith("(40, 39)   255 0 0"));
+    robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    waitFor(() -> new Point(40, 20).equals(window.view().pinned()));
+    assertEquals("ball", on(() -> window.inspector().selected()).orElseThrow().name());
+    robot.waitForIdle();
+    robot.keyPress(KeyEvent.VK_LEFT);
+    robot.keyRelease(KeyEvent.VK_LEFT);
+    waitFor(() -> new Point(39, 20).equals(window.view().pinned()));
+    robot.mouseWheel(-4);
+    waitFor(() -> window.view().magnification() > 12);
+    assertEquals(new Point(40, 20), on(() -> {
+      final Point origin = window.view().getLocationOnScreen();
+      return window.view().zoom().pixelAt(new Point(place.x + 1 - origin.x, place.y - origin.y));
+    }));
+  }
+
+  @Test
+  void theTestOfAPixelGoesToTheClipboard() throws Exception {
+    on(() -> {
+      window.view().pin(new Point(40, 30));
+      return null;
+    });
+    press("copyTest");
+    final Object text = Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
+    assertTrue(String.valueOf(text).contains("new models.Sphere("), String.valueOf(text));
+    on(() -> {
+      window.copyPicture();
+      return null;
+    });
+    final BufferedImage picture = (BufferedImage) Toolkit.getDefaultToolkit().getSystemClipboard()
+        .getData(DataFlavor.imageFlavor);
+    assertEquals(RED, picture.getRGB(40, 30));
+  }
+
+  @Test
+  void aSceneThatIsSavedIsRenderedAnewWithZoomAndPinnedPixel() throws Exception {
+    on(() -> {
+      window.view().show(new Point(40, 30));
+      return null;
+    });
+    final double magnification = on(() -> window.view().magnification());
+    Files.writeString(scene, SCENE.replace("255 0 0", "0 255 0 "));
+    waitFor(() -> window.view().picture().getRGB(40, 30) == GREEN && !window.isRunning());
+    assertEquals(magnification, on(() -> window.view().magnification()));
+    assertEquals(new Point(40, 30), on(() -> window.view().pinned()));
+    assertEquals(GREEN, on(() -> window.inspector().selected()).orElseThrow().object().getColor().getRGB());
+  }
+
+  @Test
+  void errorsAreListedAndTheOldPictureStays() throws Exception {
+    assertFalse(on(() -> window.problems().isVisible()));
+    Files.writeString(scene, SCENE.replace("<radius>1</radius>", "<radius>x</radius>"));
+    waitFor(() -> window.problems().isVisible());
+    assertEquals("7", on(() -> String.valueOf(window.problems().table().getValueAt(0, 2))));
+    assertEquals(scene.toString(), on(() -> window.problems().table().getValueAt(0, 1)));
+    assertEquals(RED, pixel(40, 30));
+    Files.writeString(scene, SCENE.replace("255 0 0", "0 255 0 "));
+    waitFor(() -> window.view().picture().getRGB(40, 30) == GREEN);
+    assertFalse(on(() -> window.problems().isVisible()));
+  }
+
+  @Test
+  void aFileThatIsDroppedIsOpened() throws Exception {
+    final Path other = Files.writeString(folder.resolve("other.xml"), SCENE.replace("255 0 0", "0 255 0"));
+    on(() -> {
+      final JComponent root = window.frame().getRootPane();
+      return root.getTransferHandler().importData(new TransferHandler.TransferSupport(root, new DroppedFile(other)));
+    });
+    waitFor(() -> window.view().picture().getRGB(40, 30) == GREEN);
+    assertTrue(on(() -> window.frame().getTitle()).startsWith("other.xml"));
+  }
+
+  @Test
+  void viewsAndSizesAreChosenFromTheBar() throws Exception {
+    on(() -> {
+      ((javax.swing.JComboBox<?>) find("what")).setSelectedItem(View.DEPTH);
+      return null;
+    });
+    waitFor(() -> !window.isRunning() && window.job().view() == View.DEPTH);
+    assertTrue(on(() -> find("legend").isVisible()));
+    assertEquals(0, pixel(1, 1) >>> 24);
+    on(() -> {
+      ((javax.swing.JComboBox<?>) find("size")).setSelectedItem("200 %");
+      return null;
+    });
+    waitFor(() -> !window.isRunning() && window.job().image().getWidth() == 160);
+    assertEquals(120, on(() -> window.view().picture().getHeight()));
+  }
+
+  /** A shape that takes its time. */
+  private static final class Slow extends Object3D {
+
+    Slow() {
+      super(Color.RED);
+    }
+
+    @Override
+    public Hit intersectionWith(final Ray ray) {
+      try {
+        Thread.sleep(1);
+        return Hit.NOHIT;
+      } catch (final InterruptedException stopped) {
+        throw new IllegalStateException(stopped);
+      }
+    }
+  }
+
+  private Scene slow() {
+    final Scene sample = SampleScenes.of(new Orthographic(4, 0.8f), true, new Slow());
+    return new Scene("slow", 400, 320, Color.GREEN, true, sample.camera(), sample.objects(), Map.of(), Set.of());
+  }
+
+  @Test
+  void aRenderingIsSeenOnItsWayAndCancelled() throws Exception {
+    on(() -> {
+      window.open(slow());
+      return null;
+    });
+    waitFor(() -> window.isRunning() && window.view().picture().getRGB(200, 160) == GREEN);
+    assertEquals(0, pixel(2, 2));
+    assertTrue(on(() -> find("progress").isVisible()));
+    waitFor(() -> label("status").contains("rays/s"));
+    press("cancel");
+    waitFor(() -> !window.isRunning());
+    assertTrue(label("status").startsWith("cancelled"), label("status"));
+    assertEquals(0, pixel(2, 2));
+  }
+
+  @Test
+  void anExceptionOfAShapeIsListedWithItsPlace() throws Exception {
+    final Object3D broken = new Object3D(Color.RED) {
+      @Override
+      public Hit intersectionWith(final Ray ray) {
+        throw new ArithmeticException("no root");
+      }
+    };
+    on(() -> {
+      window.open(SampleScenes.of(new Orthographic(4, 0.8f), true, broken));
+      return null;
+    });
+    waitFor(() -> window.problems().isVisible());
+    assertEquals("RenderWindowTest.java", on(() -> window.problems().table().getValueAt(0, 1)));
+    assertTrue(on(() -> String.valueOf(window.problems().table().getValueAt(0, 4))).contains("no root"));
+  }
+
+  @Test
+  void thePictureIsSavedAndComparedWithAReference() throws Exception {
+    final Path file = folder.resolve("saved.png");
+    on(() -> {
+      window.dialogs().save(window.view().picture(), file);
+      window.dialogs().compareWith(file);
+      return null;
+    });
+    assertEquals(RED, ImageIO.read(file.toFile()).getRGB(40, 30));
+    assertTrue(label("figures").startsWith("0 pixels differ"), label("figures"));
+    Files.writeString(scene, SCENE.replace("<radius>1</radius>", "<radius>0.9</radius>"));
+    waitFor(() -> !label("figures").startsWith("0 pixels"));
+    assertTrue(on(() -> window.view().hasOverlay()));
+    press("compare.worst");
+    final Point worst = on(() -> window.view().pinned());
+    assertNotNull(worst);
+    assertNotEquals(pixel(worst.x, worst.y), ImageIO.read(file.toFile()).getRGB(worst.x, worst.y));
+    press("compare.mask");
+    assertFalse(on(() -> window.view().hasOverlay()));
+  }
+
+  @Test
+  void theSceneFromOutsideTurns() throws Exception {
+    press("outside");
+    final BufferedImage before = on(() -> window.dialogs().outside().image());
+    on(() -> {
+      window.view().pin(new Point(40, 30));
+      window.dialogs().outside().turn(30, 10);
+      return null;
+    });
+    final BufferedImage after = on(() -> window.dialogs().outside().image());
+    assertTrue(inspection.Difference.between(before, after).orElseThrow().differing() > 100);
+  }
+
+  @Test
+  void theStateIsKeptAndEverythingHasANameAndAnExplanation() throws Exception {
+    on(() -> {
+      window.frame().setSize(900, 650);
+      window.unpin();
+      return null;
+    });
+    assertNull(on(() -> window.view().pinned()));
+    assertNamed(window.frame().getJMenuBar());
+    assertNamed(window.frame().getContentPane());
+    on(() -> {
+      window.close();
+      return null;
+    });
+    assertEquals(900, new Settings(preferences).bounds().width);
+    assertEquals(folder.toAbsolutePath(), new Settings(preferences).folder());
+  }
+
+  private static void assertNamed(final Container container) {
+    for (final Component component : container.getComponents()) {
+      if (component instanceof AbstractButton button && button.getAction() != null) {
+        assertFalse(button.getAccessibleContext().getAccessibleName().isEmpty(), button::toString);
+        assertNotNull(button.getAction().getValue(Action.SHORT_DESCRIPTION), button::toString);
+      }
+      if (component instanceof Container within) {
+        assertNamed(within);
+      }
+    }
+  }
+
+  @Test
+  void bothThemesCanBeShown() throws Exception {
+    final Color light = on(() -> window.frame().getContentPane().getBackground());
+    on(() -> {
+      window.switchTheme();
+      return null;
+    });
+    final Color dark = on(() -> window.frame().getContentPane().getBackground());
+    assertTrue(dark.getRed() < light.getRed());
+    on(() -> {
+      window.switchTheme();
+      return null;
+    });
+  }
+
+  @Test
+  void dialogsCloseWithTheWindow() throws Exception {
+    press("outside");
+    on(() -> {
+      window.close();
+      return null;
+    });
+    for (final Window open : Window.getWindows()) {
+      assertFalse(open instanceof JDialog && open.isShowing(), open.getName());
+    }
+  }
+}
