@@ -158,38 +158,13 @@ final class MarkupReader {
     final int start = at++;
     final int semicolon = text.indexOf(';', start);
     final String name = semicolon < 0 || semicolon - start > 12 ? "" : text.substring(start + 1, semicolon);
-    final String meaning = meaning(name);
+    final String meaning = Reference.meaning(name);
     if (meaning == null) {
       problems.error(start, "entity", Messages.quote(text.substring(start, Math.min(start + 12, text.length()))));
       return "&";
     }
     at = semicolon + 1;
     return meaning;
-  }
-
-  private static String meaning(final String name) {
-    return switch (name) {
-      case "lt" -> "<";
-      case "gt" -> ">";
-      case "amp" -> "&";
-      case "quot" -> "\"";
-      case "apos" -> "'";
-      default -> name.startsWith("#") ? character(name.substring(1)) : null;
-    };
-  }
-
-  private static String character(final String number) {
-    final boolean hexadecimal = number.startsWith("x");
-    final String digits = hexadecimal ? number.substring(1) : number;
-    int code = digits.isEmpty() ? -1 : 0;
-    for (int i = 0; i < digits.length() && code >= 0; i++) {
-      final char c = digits.charAt(i);
-      final int digit = c < 128 ? Character.digit(c, hexadecimal ? 16 : 10) : -1;
-      code = digit < 0 || code > Character.MAX_CODE_POINT ? -1 : code * (hexadecimal ? 16 : 10) + digit;
-    }
-    final boolean allowed = code == '\t' || code == '\n' || code == '\r' || code >= ' ' && code < 0xd800
-        || code >= 0xe000 && code < 0xfffe || code > 0xffff && code <= Character.MAX_CODE_POINT;
-    return allowed ? Character.toString(code) : null;
   }
 
   private void startTag() throws Malformed {

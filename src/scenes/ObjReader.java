@@ -7,9 +7,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.zip.ZipEntry;
-import java.util.zip.ZipException;
-import java.util.zip.ZipInputStream;
 
 /**
  * Reads a mesh from a Wavefront OBJ text file, or from a ZIP file whose first entry is one (folders aside).
@@ -20,9 +17,6 @@ import java.util.zip.ZipInputStream;
  * stands before it in the file. Facets without area are dropped. Colours after the coordinates of a vertex are passed over.
  */
 final class ObjReader {
-
-  /** More text than this in a ZIP file is not unpacked: a file that hides as much is more likely a trap than a mesh. */
-  static final long LARGEST_UNZIPPED = 1L << 30;
 
   /** After so many errors the rest of a file is not looked at. */
   static final int MOST_ERRORS = 20;
@@ -66,7 +60,7 @@ final class ObjReader {
     try (InputStream in = Files.newInputStream(file)) {
       readFrom(in);
     } catch (final ByteReader.TooLongException tooLong) {
-      whole("zipTooLong", LARGEST_UNZIPPED >> 30);
+      whole("zipTooLong", ZippedMesh.LARGEST >> 30);
     } catch (final IOException failure) {
       whole("unreadable", failure.getClass().getSimpleName() + ": " + failure.getMessage());
     }
@@ -91,27 +85,14 @@ final class ObjReader {
   }
 
   private void readZip() throws IOException {
-    try (ZipInputStream zip = new ZipInputStream(Files.newInputStream(file))) {
-      final ZipEntry entry = firstFile(zip);
+    try (InputStream entry = ZippedMesh.open(file)) {
       if (entry == null) {
         whole("zipEmpty");
         return;
       }
-      bytes = new ByteReader(zip, LARGEST_UNZIPPED);
+      bytes = new ByteReader(entry, ZippedMesh.LARGEST);
       bytes.reserve();
       readText();
-    }
-  }
-
-  private static ZipEntry firstFile(final ZipInputStream zip) throws IOException {
-    try {
-      ZipEntry entry = zip.getNextEntry();
-      while (entry != null && entry.isDirectory()) {
-        entry = zip.getNextEntry();
-      }
-      return entry;
-    } catch (final IllegalArgumentException badName) {
-      throw new ZipException(badName.getMessage());
     }
   }
 

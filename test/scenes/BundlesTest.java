@@ -43,7 +43,8 @@ class BundlesTest {
 
   @Test
   void allBundlesAreSeen() throws IOException {
-    final Set<String> packages = bundles().map(file -> file.getParent().getFileName().toString()).collect(Collectors.toSet());
+    final Set<String> packages = bundles().map(file -> file.getParent().getFileName().toString())
+        .collect(Collectors.toSet());
     assertTrue(packages.containsAll(Set.of("arguments", "scenes", "upnatray")), packages.toString());
   }
 
@@ -100,7 +101,8 @@ class BundlesTest {
     }
     for (final String key : properties(english).stringPropertyNames()) {
       final String start = '"' + key.replaceAll("\\..*", "");
-      final boolean composed = key.indexOf('.') > 0 && (sources.indexOf(start + '.') >= 0 || sources.indexOf(start + '"') >= 0);
+      final boolean composed = key.indexOf('.') > 0 && (sources.indexOf(start + '.') >= 0 || sources.indexOf(start
+          + '"') >= 0);
       final boolean used = composed || sources.indexOf('"' + key.replaceAll("Any$", "") + '"') >= 0
           || sources.indexOf(' ' + key + '"') >= 0;
       assertTrue(used, english + ": " + key);

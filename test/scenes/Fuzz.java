@@ -16,8 +16,8 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 
 /**
- * Feeds the readers with files that something happened to: {@code Fuzz [COUNT [SEED [FOLDER]]]}. Files are changed by bytes, by
- * words and by lines or elements, and read. Whatever is in them, the reader must answer within five seconds, with a message
+ * Feeds the readers with files that something happened to: {@code Fuzz [COUNT [SEED [FOLDER]]]}. Files are changed by
+ * bytes, by words and by lines or elements, and read. Whatever is in them, the reader must answer within five seconds, with a message
  * for each problem, at a place that is in the file. A file that breaks this is kept in the folder, by default
  * {@code build/fuzz}; the exit status is 1 then.
  */
@@ -34,11 +34,14 @@ final class Fuzz {
 
   private static final long LONGEST_NANOSECONDS = 5_000_000_000L;
 
-  private static final String[] WORDS = {"0", "-1", "1e30", "1e-30", "1e99", "NaN", "-0", "3.4028235e38", "2147483648", "-2147483648", "",
-    " ", "0x1p3", "1,5", "255", "true", "<", ">", "&", "&amp;", "<!--", "-->", "<![CDATA[", "]]>", "<!DOCTYPE a>", "<?xml?>", "\"", "'",
+  private static final String[] WORDS = {"0", "-1", "1e30", "1e-30", "1e99", "NaN", "-0", "3.4028235e38", "2147483648",
+    "-2147483648", "",
+    " ", "0x1p3", "1,5", "255", "true", "<", ">", "&", "&amp;", "<!--", "-->", "<![CDATA[", "]]>", "<!DOCTYPE "
+        + "a>", "<?xml?>", "\"", "'",
     "\u0000", "\ufffe", "ñ", "🚀", "\\", "\\\n", "\r", "#", "/", "1/2/3", "-1//-1", "f", "v", "f 1 2 3\n", "v 0 0 0\n"};
 
-  private static final String MESH = "# a square and more\nv 0 0 0\nv 1 0 0 1 1 1\nv 1 1 0\r\nv 0 1 1e-3\nvn 0 0 1\nvt 0 0\nf 1 2 3 4\n"
+  private static final String MESH = "# a square and more\nv 0 0 0\nv 1 0 0 1 1 1\nv 1 1 0\r\nv 0 1 1e-3\nvn 0 0 "
+      + "1\nvt 0 0\nf 1 2 3 4\n"
       + "f 1//1 2//1 3//1\nf -4/1 -3/1 \\\n -1/1\ng group\nf 2/1/1 3/1/1 4/1/1\n";
 
   private final Path folder;
@@ -111,7 +114,8 @@ final class Fuzz {
     if (sound == problems.stream().anyMatch(Problem::isError)) {
       return "sound: " + sound + ", but " + problems;
     }
-    return problems.stream().map(problem -> finding(problem, file, bytes)).filter(text -> text != null).findFirst().orElse(null);
+    return problems.stream().map(problem -> finding(problem, file,
+        bytes)).filter(text -> text != null).findFirst().orElse(null);
   }
 
   private static String finding(final Problem problem, final Path file, final byte[] bytes) {
@@ -121,7 +125,8 @@ final class Fuzz {
     if (!problem.file().equals(file.toString())) {
       return null;
     }
-    final String text = file.toString().endsWith(".xml") ? Decoding.of(bytes).text() : new String(bytes, StandardCharsets.ISO_8859_1);
+    final String text = file.toString().endsWith(".xml") ? Decoding.of(bytes).text() : new String(bytes,
+        StandardCharsets.ISO_8859_1);
     final String[] lines = text.split("\r\n|\r|\n", -1);
     final boolean within = problem.line() >= 1 && problem.line() <= lines.length && problem.column() >= 1
         && problem.column() <= lines[problem.line() - 1].length() + 1;

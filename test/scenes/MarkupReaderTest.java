@@ -21,8 +21,10 @@ import trials.Trials;
 class MarkupReaderTest {
 
   /** Pieces from which files are put together: good ones often, wrong ones now and then. */
-  private static final String[] PIECES = {"<a>", "</a>", "<b c='1'>", "</b>", "<d/>", "x ", "\n", "<!-- c -->", "&lt;", "&#65;",
-    "&#x41;", "<![CDATA[<x>]]>", "<?pi data?>", "<e f=\"&amp;\" g='h'/>", "ñ", "  ", "]]>", "&", "&nope;", "<", ">", "--", "'", "<a ",
+  private static final String[] PIECES = {"<a>", "</a>", "<b c='1'>", "</b>", "<d/>", "x ", "\n", "<!-- c "
+      + "-->", "&lt;", "&#65;",
+    "&#x41;", "<![CDATA[<x>]]>", "<?pi data?>", "<e f=\"&amp;\" g='h'/>", "ñ", " "
+        + " ", "]]>", "&", "&nope;", "<", ">", "--", "'", "<a ",
     "<!--", "-->", "<d e='1' e='2'/>", "&#0;", "<1>", "\u0001", "<?xml version='1.0'?>"};
   private static final int GOOD = 16;
 
@@ -39,7 +41,8 @@ class MarkupReaderTest {
 
   @Test
   void everyThingKnowsItsPlace() throws Malformed {
-    final Element root = read("<?xml version='1.0'?>\n<a  b = \"x&amp;y\" c='2'><!-- no --> t <d/><e>\n 5 </e></a>\n<!-- end -->");
+    final String text = "<?xml version='1.0'?>\n<a  b = \"x&amp;y\" c='2'><!-- no --> t <d/><e>\n 5 </e></a>\n<!-- end -->";
+    final Element root = read(text);
     assertEquals("a", root.name());
     assertEquals(22, root.offset());
     assertEquals("x&y", root.attribute("b").value());
@@ -49,7 +52,7 @@ class MarkupReaderTest {
     assertEquals(2, root.children().size());
     final Element e = root.find("e");
     assertEquals("\n 5 ", e.text());
-    assertEquals('5', "<?xml version='1.0'?>\n<a  b = \"x&amp;y\" c='2'><!-- no --> t <d/><e>\n 5 </e></a>".charAt(e.valueOffset()));
+    assertEquals('5', text.charAt(e.valueOffset()));
   }
 
   @ParameterizedTest
@@ -71,19 +74,22 @@ class MarkupReaderTest {
   void whatBreaksTheStructureEndsTheReading(final String text, final String message) {
     final Problems problems = problems(text);
     final Malformed malformed = assertThrows(Malformed.class, () -> new MarkupReader(problems).read());
-    assertEquals(message, problems.source().line(malformed.offset()) + ":" + problems.source().column(malformed.offset()) + ": "
+    assertEquals(message, problems.source().line(malformed.offset()) + ":"
+        + problems.source().column(malformed.offset()) + ": "
         + malformed.getMessage());
   }
 
   @ParameterizedTest
   @CsvSource(delimiter = '|', quoteCharacter = '~', value = {
-    "<a>&nope; &b</a>|f:1:4: `&nope; &b</a` is no entity: expected `&lt;`, `&gt;`, `&amp;`, `&quot;`, `&apos;` or a number such as "
+    "<a>&nope; &b</a>|f:1:4: `&nope; &b</a` is no entity: expected `&lt;`, `&gt;`, `&amp;`, `&quot;`, `&apos;` or a "
+        + "number such as "
         + "`&#241;` (write `&amp;` for `&`)",
     "<a b='1' b='2'/>|f:1:10: attribute `b` is given twice: expected once",
     "<a><!-- -- --></a>|f:1:9: `--` must not occur within a comment",
     "<a>]]></a>|f:1:4: `]]>` must not occur in text: write `]]&gt;`",
     "<a/>x|f:1:5: `x` stands outside of the document: expected nothing but comments before and after its one element",
-    " <?xml version='1.0'?><a/>|f:1:2: the XML declaration `<?xml ...?>` must be the very first thing in the file, without anything "
+    " <?xml version='1.0'?><a/>|f:1:2: the XML declaration `<?xml ...?>` must be the very first thing in the file, "
+        + "without anything "
         + "before it"})
   void otherSlipsAreToldAndPassedOver(final String text, final String first) throws Malformed {
     final Problems problems = problems(text.startsWith("<?") ? " " + text : text);

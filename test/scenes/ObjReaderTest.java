@@ -86,7 +86,8 @@ class ObjReaderTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"f 1 2 3", "f 1/4 2/5 3/6", "f 1//1 2//1 3//1", "f 1/2/3 2/3/4 3/4/5", "f -4 -3 -2", "f -4/-1/-1 -3 -2//-1",
+  @ValueSource(strings = {"f 1 2 3", "f 1/4 2/5 3/6", "f 1//1 2//1 3//1", "f 1/2/3 2/3/4 3/4/5", "f -4 -3 -2", "f "
+      + "-4/-1/-1 -3 -2//-1",
     "f 1 2 \\\n 3", "f \\\r\n1 2\\\n3", "f\t1\t2\t3  ", "f 1 2 3 # a triangle", "f 1 2 3#", "f +1 2 3", "f 1/ 2/ 3/"})
   void allFormsOfAFacet(final String facet) {
     assertArrayEquals(new int[] {0, 1, 2}, corners(SQUARE + facet), facet);
@@ -101,7 +102,8 @@ class ObjReaderTest {
 
   @Test
   void otherStatementsArePassedOverAsLines() {
-    final String noise = "# f 1 2 v vn\nvn 0 0 1\nvt 0 0\no v f\ng f 9 9 9\ns 1\nusemtl v\nmtllib a.mtl\n\n  \nl 1 2 \\\nf 7 8 9\nfo 1 2 3\n"
+    final String noise = "# f 1 2 v vn\nvn 0 0 1\nvt 0 0\no v f\ng f 9 9 9\ns 1\nusemtl v\nmtllib a.mtl\n\n  \nl 1 2 "
+        + "\\\nf 7 8 9\nfo 1 2 3\n"
         + "# a comment is not continued \\\nvp 1\n";
     assertArrayEquals(new int[] {0, 1, 2}, corners(noise + SQUARE + noise + "f 1 2 3\n" + noise));
   }
@@ -118,7 +120,8 @@ class ObjReaderTest {
     assertEquals(3, read(latin1).mesh().corners().length);
     assertEquals(3, corners("\ufeff" + SQUARE + "f 1 2 3").length);
     assertEquals(3, corners((SQUARE + "f 1 2 3").replace('\n', '\r')).length);
-    assertProblems((SQUARE + "f 1 2 x").replace('\n', '\r'), "5:7: not a corner of a facet: found `x`, expected i, i/t, i//n or i/t/n");
+    assertProblems((SQUARE + "f 1 2 x").replace('\n', '\r'), "5:7: not a corner of a facet: found `x`, expected i, "
+        + "i/t, i//n or i/t/n");
   }
 
   @ParameterizedTest
@@ -135,7 +138,8 @@ class ObjReaderTest {
     "f 0 1 2|5:3: there is no vertex 0 before this line: 4 vertices so far",
     "f 1 -5 2|5:5: there is no vertex -5 before this line: 4 vertices so far",
     "f 1 2 99999999999|5:7: there is no vertex 99999999999 before this line: 4 vertices so far",
-    "f 1 2 99999999999999999999999|5:7: not a corner of a facet: found `99999999999999999999999`, expected i, i/t, i//n or i/t/n",
+    "f 1 2 99999999999999999999999|5:7: not a corner of a facet: found `99999999999999999999999`, expected i, i/t, "
+        + "i//n or i/t/n",
     "f 1 2 3.5|5:7: not a corner of a facet: found `3.5`, expected i, i/t, i//n or i/t/n",
     "f 1 /2 3|5:5: not a corner of a facet: found `/2`, expected i, i/t, i//n or i/t/n",
     "f 1 2 abc|5:7: not a corner of a facet: found `abc`, expected i, i/t, i//n or i/t/n",
@@ -148,7 +152,8 @@ class ObjReaderTest {
   @Test
   void allErrorsAreToldUpToALimit() {
     assertProblems("v 1 2\nv x 0 0\nf 1 2 9\n", "1:1: a vertex of fewer than three numbers: expected `v x y z`",
-        "2:3: not a number: found `x`, expected a coordinate such as 2.5", "3:7: there is no vertex 9 before this line: 2 vertices so far");
+        "2:3: not a number: found `x`, expected a coordinate such as 2.5", "3:7: there is no vertex 9 before this "
+            + "line: 2 vertices so far");
     final ObjReader.Reading many = read("v 1 2\n".repeat(1000));
     assertEquals(ObjReader.MOST_ERRORS + 1, many.problems().size());
     assertTrue(many.problems().get(ObjReader.MOST_ERRORS).message().startsWith("more than 20 errors"));
@@ -184,14 +189,16 @@ class ObjReaderTest {
 
   @Test
   void linesAreCountedThroughLargeFiles() {
-    assertProblems("# line\n".repeat(100_000) + "  v 1 2 x\n", "100001:9: not a number: found `x`, expected a coordinate such as 2.5");
+    assertProblems("# line\n".repeat(100_000) + "  v 1 2 x\n", "100001:9: not a number: found `x`, expected a "
+        + "coordinate such as 2.5");
   }
 
   @Test
   void aNumberOfTooManyDigitsIsNotCutInTwo() {
     final String number = "0".repeat(700) + "1";
     for (int padding = 64_000; padding < 66_000; padding += 50) {
-      final ObjReader.Reading reading = read("#" + "x".repeat(padding) + "\nv 1 " + number + " 2\nv 1 2 3\nv 0 0 1\nf 1 2 3\n"
+      final ObjReader.Reading reading = read("#" + "x".repeat(padding) + "\nv 1 " + number
+          + " 2\nv 1 2 3\nv 0 0 1\nf 1 2 3\n"
           + "# more\n".repeat(10_000));
       if (reading.mesh() == null) {
         assertProblems(reading, "2:5: not a number: found `" + "0".repeat(37) + "...`, expected a coordinate such as 2.5");
@@ -216,7 +223,8 @@ class ObjReaderTest {
           vertices++;
         } else {
           final int a = random.nextInt(vertices), b = (a + 1) % vertices, c = (a + 2) % vertices;
-          text.append("f ").append(a + 1).append("/7 ").append(b - vertices).append(blank(random)).append(c + 1).append("//3\n");
+          text.append("f ").append(a + 1).append("/7 ").append(b - vertices).append(blank(random)).append(c
+              + 1).append("//3\n");
           expected.append(a).append(' ').append(b).append(' ').append(c).append('\n');
         }
       }
@@ -232,10 +240,12 @@ class ObjReaderTest {
   private static String described(final ObjReader.Mesh mesh) {
     final StringBuilder text = new StringBuilder();
     for (int i = 0; i < mesh.coordinates().length; i += 3) {
-      text.append(mesh.coordinates()[i]).append(' ').append(mesh.coordinates()[i + 1]).append(' ').append(mesh.coordinates()[i + 2]).append('\n');
+      text.append(mesh.coordinates()[i]).append(' ').append(mesh.coordinates()[i
+          + 1]).append(' ').append(mesh.coordinates()[i + 2]).append('\n');
     }
     for (int i = 0; i < mesh.corners().length; i += 3) {
-      text.append(mesh.corners()[i]).append(' ').append(mesh.corners()[i + 1]).append(' ').append(mesh.corners()[i + 2]).append('\n');
+      text.append(mesh.corners()[i]).append(' ').append(mesh.corners()[i + 1]).append(' ').append(mesh.corners()[i
+          + 2]).append('\n');
     }
     return text.toString();
   }
@@ -257,7 +267,8 @@ class ObjReaderTest {
 
   @Test
   void theFirstEntryOfAZipFileIsTheMesh() throws IOException {
-    final ObjReader.Reading reading = read(zip("folder/", "", "folder/a.obj", SQUARE + "f 1 2 3 4\n", "__MACOSX/a.obj", "v x"));
+    final ObjReader.Reading reading = read(zip("folder/", "", "folder/a.obj", SQUARE
+        + "f 1 2 3 4\n", "__MACOSX/a.obj", "v x"));
     assertEquals(List.of(), reading.problems());
     assertEquals(6, reading.mesh().corners().length);
     assertProblems(read(zip("folder/", "")), "1:1: the ZIP file is empty: expected an OBJ file as its first entry");
@@ -286,7 +297,8 @@ class ObjReaderTest {
     }
     final ThreadMXBean clock = ManagementFactory.getThreadMXBean();
     final long start = clock.getCurrentThreadCpuTime();
-    assertProblems(read(bytes.toByteArray()), "1:1: the first entry of the ZIP file is longer than 1 GB: unpack it and name the OBJ file");
+    assertProblems(read(bytes.toByteArray()), "1:1: the first entry of the ZIP file is longer than 1 GB: unpack it "
+        + "and name the OBJ file");
     assertTrue(clock.getCurrentThreadCpuTime() - start < 15e9);
   }
 }

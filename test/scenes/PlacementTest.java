@@ -57,7 +57,8 @@ class PlacementTest {
 
   /** The table of the language, row by row: the computed axes by the products that it gives. */
   @ParameterizedTest
-  @CsvSource({"i, j, k, main aux", "i, k, j, aux main", "j, i, k, aux main", "j, k, i, main aux", "k, i, j, main aux", "k, j, i, aux main"})
+  @CsvSource({"i, j, k, main aux", "i, k, j, aux main", "j, i, k, aux main", "j, k, i, main aux", "k, i, j, main "
+      + "aux", "k, j, i, aux main"})
   void aimingComputesTheAxesByTheTable(final char main, final char aux, final char third, final String product) {
     Trials.of(200, random -> {
       final Vector3d m = vector(random), a = vector(random), t = new Vector3d();
@@ -104,7 +105,8 @@ class PlacementTest {
   void nothingGivenIsNothingDone() throws Malformed {
     final Object3D sphere = new Sphere(new Point3D(), 1, Color.RED);
     assertSame(sphere, placement("").applied(sphere));
-    assertSame(sphere, placement("<rotationAngle>0</rotationAngle><rotationAxis>0 0 0</rotationAxis><scaleFactors>1 1 1</scaleFactors>")
+    assertSame(sphere, placement("<rotationAngle>0</rotationAngle><rotationAxis>0 0 0</rotationAxis><scaleFactors>1 1 "
+        + "1</scaleFactors>")
         .applied(sphere));
     assertSame(sphere, placement("<rotationAngle>720</rotationAngle>").applied(sphere));
   }
@@ -128,25 +130,29 @@ class PlacementTest {
     final float[] axis = {random.nextInt(3) - 1, random.nextInt(3) - 1, 1};
     final double near = Math.pow(10, -8 * random.nextDouble()) * (random.nextBoolean() ? 1 : -1);
     final float degrees = (float) (random.nextInt(5) * 90 - 180 + (random.nextBoolean() ? near : 0));
-    return Turn.about(random.nextBoolean() ? axis : new float[] {0, 1, 0}, random.nextInt(4) == 0 ? random.nextFloat() * 360 : degrees);
+    return Turn.about(random.nextBoolean() ? axis : new float[] {0, 1, 0},
+        random.nextInt(4) == 0 ? random.nextFloat() * 360 : degrees);
   }
 
   @ParameterizedTest
-  @CsvSource(delimiter = '|', value = {"sphere|<radius>1.5</radius>", "box|<width>1</width><height>2</height><depth>3</depth>",
+  @CsvSource(delimiter = '|',
+      value = {"sphere|<radius>1.5</radius>", "box|<width>1</width><height>2</height><depth>3</depth>",
     "plane|<point>0 0.5 0.25</point><normal>1 2 -1</normal>", "cylinder|<radius>0.75</radius><Axislength>2</Axislength>",
     "capsule|<A>1 0 0</A><B>0 1 -1</B><radius>0.5</radius>", "capsule|<A>1 0 0</A><B>1 0 0</B><radius>0.5</radius>",
     "torus|<rotationalRadius>1.5</rotationalRadius><circunferenceRadius>0.5</circunferenceRadius>",
     "ellipsoid|<a>1</a><b>1.5</b><c>0.5</c>"})
   void aShapeBuiltAtItsPlaceIsTheShapeTransformed(final String type, final String values) {
     final SceneFiles files = new SceneFiles(folder);
-    final String rigid = "<translation>0.5 -1 0.25</translation><rotationAxis>1 2 3</rotationAxis><rotationAngle>40</rotationAngle>"
+    final String rigid = "<translation>0.5 -1 0.25</translation><rotationAxis>1 2 "
+        + "3</rotationAxis><rotationAngle>40</rotationAngle>"
         + "<jVector>1 1 0</jVector><kauxVector>0 1 5</kauxVector>";
     final Object3D built = object(files, type, values, rigid);
     final Object3D transformed = object(files, type, values, rigid + "<scaleFactors>1 1.000001 1</scaleFactors>");
     final int[] hits = new int[1];
     Trials.of(500, random -> {
       final Point3D eye = new Point3D(5, random.nextFloat() * 4 - 2, random.nextFloat() * 4 - 2);
-      final Point3D target = new Point3D(random.nextFloat() * 2 - 1, random.nextFloat() * 3 - 2.5f, random.nextFloat() * 2 - 1);
+      final Point3D target = new Point3D(random.nextFloat() * 2 - 1, random.nextFloat() * 3 - 2.5f,
+          random.nextFloat() * 2 - 1);
       final Hit a = built.intersectionWith(new Ray(eye, target)), b = transformed.intersectionWith(new Ray(eye, target));
       if (a.hits() && b.hits() && Math.abs(a.getNormal().dot(new Ray(eye, target).getDirection())) > 0.1) {
         assertEquals(a.getT(), b.getT(), 1e-3);
@@ -165,7 +171,8 @@ class PlacementTest {
     final Hit hit = sphere.intersectionWith(new Ray(new Point3D(10, 0, 7), new Vector3D(-1, 0, 0)));
     assertEquals(7, hit.getT(), 1e-5);
     assertEquals(1, hit.getNormal().x, 1e-6);
-    final Object3D mirrored = object(files, "capsule", "<A>0 0 0</A><B>4 0 0</B><radius>1</radius>", "<scaleFactors>-1 1 1</scaleFactors>");
+    final Object3D mirrored = object(files, "capsule", "<A>0 0 0</A><B>4 0 "
+        + "0</B><radius>1</radius>", "<scaleFactors>-1 1 1</scaleFactors>");
     assertEquals(5, mirrored.intersectionWith(new Ray(new Point3D(-10, 0, 0), new Vector3D(1, 0, 0))).getT(), 1e-5);
   }
 
@@ -175,7 +182,8 @@ class PlacementTest {
     files.write("t.obj", "v 0 -9 -9\nv 0 9 -9\nv 0 0 9\nf 1 2 3\nf 1 1 2\n");
     final String object = "</object><object><modelId>ball</modelId><color>%s</color><translation>%d 0 0</translation>";
     final Reading reading = files.read(SceneFiles.SOUND.replace("type=\"sphere\"", "type=\"mesh\"")
-        .replace("<radius>1</radius>", "<objFile>t.obj</objFile>").replace("</color>", "</color>" + String.format(object, "0 0 1", 2)
+        .replace("<radius>1</radius>", "<objFile>t.obj</objFile>").replace("</color>", "</color>"
+            + String.format(object, "0 0 1", 2)
             + String.format(object, "0 0 1", 4)));
     assertEquals(1, reading.problems().size());
     final Ray ray = new Ray(new Point3D(9, 0, 0), new Vector3D(-1, 0, 0));

@@ -28,7 +28,8 @@ class QuirksTest {
       + "<spectrum>0.33 0.34 0.33</spectrum><power>100</power></light></lights>";
   private static final String MATERIAL = "<materials><brdf id=\"m\" type=\"Phong-Lafortune\"><diffuseReflectance>0.4 0 0.2"
       + "</diffuseReflectance><conductiveReflectance>0.6 0 0.2</conductiveReflectance></brdf></materials>";
-  private static final String NO_EFFECT = "warning: lights and materials have no effect yet: with illumination, objects show the "
+  private static final String NO_EFFECT = "warning: lights and materials have no effect yet: with illumination, "
+      + "objects show the "
       + "sum of the reflectances of their material";
 
   @TempDir
@@ -55,7 +56,8 @@ class QuirksTest {
     final String text = SceneFiles.SOUND.replace("<camera>", "<!--<camera>").replace("</camera>", "</camera>-->");
     assertProblems(files.read(text), "2:1: `image` lacks `camera`: expected an element <camera>."
         + " A `camera` that is commented out stands in line 16.");
-    assertProblems(files.readWith("<fov>60</fov>", "<!-- <fovea/> <fov> 60</fov>-->"), "21:3: `projection` lacks `fov`: expected a "
+    assertProblems(files.readWith("<fov>60</fov>", "<!-- <fovea/> <fov> 60</fov>-->"), "21:3: `projection` lacks "
+        + "`fov`: expected a "
         + "number such as 2.5, 0 < fov < 180.");
     assertProblems(files.readWith("<fov>60</fov>", "<!-- <fov> 60</fov>-->"), "21:3: `projection` lacks `fov`: expected a "
         + "number such as 2.5, 0 < fov < 180. A `fov` that is commented out stands in line 22.");
@@ -63,29 +65,34 @@ class QuirksTest {
 
   @Test
   void q2StrayText() {
-    assertProblems(files.readWith("</model>", "</model>\n-->"), "29:1: warning: `-->` stands in `models` between elements and is "
+    assertProblems(files.readWith("</model>", "</model>\n-->"), "29:1: warning: `-->` stands in `models` between "
+        + "elements and is "
         + "ignored; perhaps it is left over from a comment");
   }
 
   @ParameterizedTest
   @CsvSource(delimiter = '|', value = {
     "<W>40</W>|3:3|raster|W|a whole number, W >= 1",
-    "<backgroundColor>0.2 0.4 0.6</backgroundColor>|3:3|raster|backgroundColor|a colour: three numbers from 0 to 1, or from 0 to 255",
+    "<backgroundColor>0.2 0.4 0.6</backgroundColor>|3:3|raster|backgroundColor|a colour: three numbers from 0 to 1, "
+        + "or from 0 to 255",
     "<showProgress>true</showProgress>|8:3|rayTracer|showProgress|`true` or `false`",
     "<illumination>false</illumination>|13:3|engine|illumination|`true` or `false`",
     "<lookAt>0 0 0</lookAt>|16:3|camera|lookAt|three numbers separated by blanks, such as 1 0.5 2",
     "<fov>60</fov>|21:3|projection|fov|a number such as 2.5, 0 < fov < 180",
     "<radius>1</radius>|26:5|model|radius|a number such as 2.5, radius > 0",
     "<modelId>ball</modelId>|31:5|object|modelId|a name"})
-  void q3MissingValues(final String value, final String place, final String element, final String name, final String expected) {
-    assertProblems(files.readWith(value, ""), place + ": `" + element + "` lacks `" + name + "`: expected " + expected + ".");
+  void q3MissingValues(final String value, final String place, final String element, final String name,
+      final String expected) {
+    assertProblems(files.readWith(value, ""), place + ": `" + element + "` lacks `" + name + "`: expected " + expected
+        + ".");
   }
 
   @Test
   void q3IdsThatNameNothing() {
     assertProblems(files.readWith("<modelId>ball", "<modelId>Bull"),
         "32:16: `modelId` names nothing: found `Bull`, expected an id of this file. Did you mean `ball`?");
-    assertProblems(files.readWith("type=\"perspective\"", ""), "21:3: `projection` lacks the attribute `type`: expected type=\"...\"");
+    assertProblems(files.readWith("type=\"perspective\"", ""), "21:3: `projection` lacks the attribute `type`: "
+        + "expected type=\"...\"");
     assertProblems(files.readWith("id=\"ball\"", ""), "26:5: `model` lacks the attribute `id`: expected id=\"...\"",
         "32:16: `modelId` names nothing: found `ball`, expected an id of this file.");
   }
@@ -102,18 +109,22 @@ class QuirksTest {
     final String material = SceneFiles.with("<scene>", MATERIAL + "<scene>").replace("<color>255 0 0</color>",
         "<materialId>m</materialId>");
     final Reading fallback = files.read(material);
-    assertProblems(fallback, "30:3: " + NO_EFFECT, "33:19: warning: a material has no effect without illumination: the object shows "
+    assertProblems(fallback, "30:3: " + NO_EFFECT, "33:19: warning: a material has no effect without illumination: "
+        + "the object shows "
         + "the sum of its reflectances; expected a `color`");
     assertEquals(new Color(255, 0, 102), colour(fallback));
     final Reading lit = files.read(material.replace(UNLIT, LIT).replace("<scene>", LIGHT + "<scene>"));
     assertTrue(lit.scene().orElseThrow().facing());
     assertEquals(new Color(255, 0, 102), colour(lit));
-    assertProblems(files.read(material.replace(UNLIT, LIT)), "14:19: there is no light: with illumination expected an element "
+    assertProblems(files.read(material.replace(UNLIT, LIT)), "14:19: there is no light: with illumination expected an "
+        + "element "
         + "<light> in <lights>", "30:3: " + NO_EFFECT);
-    assertProblems(files.readWith(UNLIT, LIT + LIGHT), "14:38: warning: `lights` is out of place in `engine`: it belongs in `image`",
+    assertProblems(files.readWith(UNLIT, LIT + LIGHT), "14:38: warning: `lights` is out of place in `engine`: it "
+        + "belongs in `image`",
         "14:38: " + NO_EFFECT, "33:7: `color` is of no use with illumination: expected a `materialId`");
     assertProblems(files.readWith("<color>255 0 0</color>", ""), "31:5: the object has no appearance: expected a `color`");
-    assertProblems(files.read(SceneFiles.with("<color>255 0 0</color>", "").replace(UNLIT, LIT).replace("<scene>", LIGHT + "<scene>")),
+    assertProblems(files.read(SceneFiles.with("<color>255 0 0</color>", "").replace(UNLIT, LIT).replace("<scene>",
+        LIGHT + "<scene>")),
         "30:3: " + NO_EFFECT, "31:5: the object has no `materialId`: with illumination expected one");
   }
 
@@ -127,9 +138,11 @@ class QuirksTest {
 
   @Test
   void q6Aspect() {
-    assertProblems(files.readWith("    <aspect>1.3333</aspect>\n", ""), "21:3: warning: `aspect` is not given and counts as 1.0, but "
+    assertProblems(files.readWith("    <aspect>1.3333</aspect>\n", ""), "21:3: warning: `aspect` is not given and "
+        + "counts as 1.0, but "
         + "the raster of 40 x 30 pixels has 1.333: the picture will be stretched");
-    assertProblems(files.readWith("<aspect>1.3333</aspect>", "<aspect>2</aspect>"), "23:13: warning: `aspect` is 2.0 but the raster of "
+    assertProblems(files.readWith("<aspect>1.3333</aspect>", "<aspect>2</aspect>"), "23:13: warning: `aspect` is 2.0 "
+        + "but the raster of "
         + "40 x 30 pixels has 1.333: the picture will be stretched");
     assertProblems(files.readWith("<aspect>1.3333</aspect>", "<aspect>-1</aspect>"),
         "23:13: `aspect` is out of range: found `-1`, expected a number such as 2.5, aspect > 0");
@@ -151,24 +164,29 @@ class QuirksTest {
     assertProblems(reading, "34:22: warning: `translation` has more than three numbers: `.0` and what follows is ignored");
     final Ray ray = new Ray(new Point3D(0, 0, 5), new Vector3D(0, 0, -1));
     assertEquals(3, reading.scene().orElseThrow().objects().intersectionWith(ray).getT(), 1e-6);
-    assertProblems(files.readPlaced("<translation>1 2</translation>"), "34:14: `translation` has 2 of three numbers: found `1 2`, expected three "
+    assertProblems(files.readPlaced("<translation>1 2</translation>"), "34:14: `translation` has 2 of three numbers: "
+        + "found `1 2`, expected three "
         + "numbers separated by blanks, such as 1 0.5 2");
-    assertProblems(files.readPlaced("<translation>1,2,3</translation>"), "34:14: `translation` has 1 of three numbers: found `1,2,3`, expected "
+    assertProblems(files.readPlaced("<translation>1,2,3</translation>"), "34:14: `translation` has 1 of three "
+        + "numbers: found `1,2,3`, expected "
         + "three numbers separated by blanks, such as 1 0.5 2");
   }
 
   @Test
   void q9MissingMesh() {
-    assertProblems(files.readModel("mesh", "<objFile>no/such.obj</objFile>"), "27:16: there is no mesh file `no/such.obj`: looked for "
+    assertProblems(files.readModel("mesh", "<objFile>no/such.obj</objFile>"), "27:16: there is no mesh file "
+        + "`no/such.obj`: looked for "
         + folder.resolve("no/such.obj") + ", " + Path.of("scenes", "no", "such.obj"));
     files.write("folder.obj/x", "");
-    assertProblems(files.readModel("mesh", "<objFile>folder.obj</objFile>"), "27:16: there is no mesh file `folder.obj`: looked for "
+    assertProblems(files.readModel("mesh", "<objFile>folder.obj</objFile>"), "27:16: there is no mesh file "
+        + "`folder.obj`: looked for "
         + folder.resolve("folder.obj") + " (a folder), " + Path.of("scenes", "folder.obj"));
   }
 
   @Test
   void q10MissingTexture() {
-    assertProblems(files.readPlaced("<textureFile>no.png</textureFile>"), "34:14: there is no texture file `no.png`: looked for "
+    assertProblems(files.readPlaced("<textureFile>no.png</textureFile>"), "34:14: there is no texture file `no.png`: "
+        + "looked for "
         + folder.resolve("no.png") + ", " + Path.of("scenes", "no.png"));
     files.write("wood.png", "");
     assertProblems(files.readPlaced("<textureFile>wood.png</textureFile>"),
@@ -234,22 +252,29 @@ class QuirksTest {
 
   @Test
   void q14UnknownTypes() {
-    assertProblems(files.readWith("\"perspective\"", "\"Perspective\""), "21:15: unknown projection: found `Perspective`, expected one of "
+    assertProblems(files.readWith("\"perspective\"", "\"Perspective\""), "21:15: unknown projection: found "
+        + "`Perspective`, expected one of "
         + "perspective, orthographic, angular, nlperspective. Did you mean `perspective`?");
-    assertProblems(files.readWith("\"perspective\"", "\"nlperspective\""), "21:15: projection not supported: found `nlperspective`, "
+    assertProblems(files.readWith("\"perspective\"", "\"nlperspective\""), "21:15: projection not supported: found "
+        + "`nlperspective`, "
         + "expected perspective, orthographic or angular",
         "23:5: warning: `aspect` has no effect in `projection` of type `nlperspective`");
-    assertProblems(files.readWith("\"sphere\"", "\"cyclide\""), "26:22: unknown model: found `cyclide`, expected one of sphere, box, plane, "
+    assertProblems(files.readWith("\"sphere\"", "\"cyclide\""), "26:22: unknown model: found `cyclide`, expected one "
+        + "of sphere, box, plane, "
         + "cylinder, capsule, truncone, torus, ellipsoid, egg, genus2, mesh.");
-    assertProblems(files.readWith("<scene>", LIGHT.replace("omnidirectional", "omnidirectinal") + "<scene>"), "30:3: " + NO_EFFECT,
+    assertProblems(files.readWith("<scene>", LIGHT.replace("omnidirectional", "omnidirectinal") + "<scene>"), "30:3: "
+        + NO_EFFECT,
         "30:18: unknown light: found `omnidirectinal`, expected one of omnidirectional, directional, spot. Did you mean "
             + "`omnidirectional`?");
     assertProblems(files.readWith("<scene>", MATERIAL.replace("Phong-Lafortune", "Ward") + "<scene>"), "30:3: " + NO_EFFECT,
-        "30:27: unknown brdf: found `Ward`, expected one of Phong-Lafortune, Phong, Ashikhmin-Shirley, Cook-Torrance, Oren-Nayar, "
+        "30:27: unknown brdf: found `Ward`, expected one of Phong-Lafortune, Phong, Ashikhmin-Shirley, Cook-Torrance, "
+            + "Oren-Nayar, "
             + "Ideal-Conductor.");
-    assertProblems(files.readWith("<scene>", MATERIAL.replace("</brdf>", "<ndf>Blin</ndf></brdf>") + "<scene>"), "30:3: " + NO_EFFECT,
+    assertProblems(files.readWith("<scene>", MATERIAL.replace("</brdf>", "<ndf>Blin</ndf></brdf>")
+        + "<scene>"), "30:3: " + NO_EFFECT,
         "30:161: unknown ndf: found `Blin`, expected one of Blinn, Horn, Torrance, GGX, Beckmann. Did you mean `Blinn`?");
-    assertProblems(files.readWith("<scene>", "<materials><btdf id=\"g\" type=\"Glass\"><eta_int>1.5</eta_int></btdf></materials><scene>"),
+    assertProblems(files.readWith("<scene>", "<materials><btdf id=\"g\" "
+        + "type=\"Glass\"><eta_int>1.5</eta_int></btdf></materials><scene>"),
         "30:3: " + NO_EFFECT, "30:27: unknown btdf: found `Glass`, expected one of Ideal-Dielectric, Cook-Torrance.");
   }
 
@@ -266,7 +291,8 @@ class QuirksTest {
   @CsvSource(delimiter = '|', value = {
     "<radius>1|<radius>0", "<radius>1|<radius>-1", "<W>40|<W>0", "<lookAt>0 0 0|<lookAt>0 0 5", "<up>0 1 0|<up>0 0 2",
     "<up>0 1 0|<up>0 0 0", "<up>0 1 0|<up>0 1e-9 1", "<fov>60|<fov>0", "<fov>60|<fov>180", "<aspect>1.3333|<aspect>0",
-    "</color>|</color><scaleFactors>1 0 1</scaleFactors>", "</color>|</color><rotationAngle>9</rotationAngle><rotationAxis>0 0 0"
+    "</color>|</color><scaleFactors>1 0 "
+        + "1</scaleFactors>", "</color>|</color><rotationAngle>9</rotationAngle><rotationAxis>0 0 0"
     + "</rotationAxis>", "</color>|</color><iVector>0 0 0</iVector><jauxVector>0 1 0</jauxVector>",
     "</color>|</color><iVector>1 2 3</iVector><kauxVector>2 4 6</kauxVector>", "</color>|</color><jVector>1 2 3</jVector>",
     "</illumination>|</illumination><recursionDepth>-1</recursionDepth>"})
@@ -292,19 +318,23 @@ class QuirksTest {
   void q16BlocksOfNoSizeCountAsOne() {
     assertProblems(files.readWith("<wblock>32", "<wblock>0"), "9:13: warning: `wblock` is 0: taken as 1");
     assertProblems(files.readWith("<wblock>32", "<wblock>3200"));
-    assertProblems(files.readWith("<wblock>32", "<wblock>x"), "9:13: `wblock` is not a whole number: found `x`, expected a whole number");
+    assertProblems(files.readWith("<wblock>32", "<wblock>x"), "9:13: `wblock` is not a whole number: found `x`, "
+        + "expected a whole number");
   }
 
   @Test
   void q17TheSpellingOfTheDictionary() {
-    assertProblems(files.readModel("torus", "<rotationalRadius>2</rotationalRadius><circumferenceRadius>1</circumferenceRadius>"),
+    assertProblems(files.readModel("torus",
+        "<rotationalRadius>2</rotationalRadius><circumferenceRadius>1</circumferenceRadius>"),
         "27:45: warning: `circumferenceRadius` is spelt `circunferenceRadius` in scene files; taken for it");
   }
 
   @Test
   void q18SpectrumSumsToOneWithTolerance() {
-    assertProblems(files.readWith("<scene>", LIGHT.replace("0.33 0.34 0.33", "0.33333 0.33333 0.33333") + "<scene>"), "30:3: " + NO_EFFECT);
-    assertProblems(files.readWith("<scene>", LIGHT.replace("0.33 0.34 0.33", "0.3 0.3 0.3") + "<scene>"), "30:3: " + NO_EFFECT,
+    assertProblems(files.readWith("<scene>", LIGHT.replace("0.33 0.34 0.33", "0.33333 0.33333 0.33333")
+        + "<scene>"), "30:3: " + NO_EFFECT);
+    assertProblems(files.readWith("<scene>", LIGHT.replace("0.33 0.34 0.33", "0.3 0.3 0.3") + "<scene>"), "30:3: "
+        + NO_EFFECT,
         "30:77: the shares of `spectrum` must sum to 1: found `0.3 0.3 0.3`, expected for example 0.33 0.34 0.33");
   }
 
@@ -314,7 +344,8 @@ class QuirksTest {
         "<lookAt>0 0 0</lookAt><radius>5</radius>\n<attenuationExponent>0</attenuationExponent></light>");
     assertProblems(files.readWith("<scene>", light + "<scene>"), "30:3: " + NO_EFFECT,
         "31:1: warning: `attenuationExponent` is a name of another edition and is ignored");
-    assertProblems(files.readWith("<scene>", MATERIAL.replace("</brdf>", "<alpha>2</alpha></brdf>") + "<scene>"), "30:3: " + NO_EFFECT);
+    assertProblems(files.readWith("<scene>", MATERIAL.replace("</brdf>", "<alpha>2</alpha></brdf>")
+        + "<scene>"), "30:3: " + NO_EFFECT);
   }
 
   @Test

@@ -81,7 +81,8 @@ class SceneReaderTest {
         .replace("<modelId>ball", "<modelId>bal").replace("255 0 0", "300 0 0");
     assertProblems(files.read(text),
         "4:8: `W` is out of range: found `0`, expected a whole number, W >= 1",
-        "19:9: `up` lies along the view: found `0 0 1`, expected a direction that is not parallel to that from `position` to "
+        "19:9: `up` lies along the view: found `0 0 1`, expected a direction that is not parallel to that from "
+            + "`position` to "
             + "`lookAt`",
         "22:10: `fov` is not a number: found `sixty`, expected a number such as 2.5, 0 < fov < 180",
         "27:15: `radius` is out of range: found `0`, expected a number such as 2.5, radius > 0",
@@ -134,7 +135,8 @@ class SceneReaderTest {
     assertProblems(files.readModel("sphere", "<radius>1</radius><Axislength>1</Axislength>"),
         "27:25: warning: `Axislength` has no effect in `model` of type `sphere`");
     assertProblems(files.readModel("sphere", "<radius>1</radius><center>1 0 0</center>"),
-        "27:25: warning: `center` is a name of another edition and is ignored: the centre of a sphere is the `translation` of "
+        "27:25: warning: `center` is a name of another edition and is ignored: the centre of a sphere is the "
+            + "`translation` of "
             + "its object");
   }
 
@@ -160,7 +162,8 @@ class SceneReaderTest {
     final String egg = "<model id=\"e\" type=\"egg\"><a>1</a><b>2</b><w>1</w></model>";
     assertProblems(files.readWith("</models>", egg + "</models>"));
     assertProblems(files.read(SceneFiles.with("</models>", egg + "</models>").replace("<modelId>ball", "<modelId>e")),
-        "32:16: model `e` is of type `egg`, which is not supported yet: expected one of sphere, box, plane, cylinder, capsule, "
+        "32:16: model `e` is of type `egg`, which is not supported yet: expected one of sphere, box, plane, cylinder, "
+            + "capsule, "
             + "torus, ellipsoid, mesh");
   }
 
@@ -175,11 +178,13 @@ class SceneReaderTest {
   @Test
   void whatIsNoSceneIsQuotedBriefly() {
     assertProblems(files.read("Lorem ipsum dolor sit amet, consectetur adipisicing elit, sed do eiusmod tempor"),
-        "1:1: `Lorem ipsum dolor sit amet, consectet...` stands outside of the document: expected nothing but comments before and "
+        "1:1: `Lorem ipsum dolor sit amet, consectet...` stands outside of the document: expected nothing but "
+            + "comments before and "
             + "after its one element",
         "1:1: this is not a scene: found `Lorem ipsum dolor sit amet, consectet...`, expected XML with an element `image`");
     assertProblems(files.read("<html><body/></html>"), "1:1: the document element is `html`, expected `image`.");
-    assertProblems(files.read("<imagen/>"), "1:1: the document element is `imagen`, expected `image`. Did you mean `image`?");
+    assertProblems(files.read("<imagen/>"), "1:1: the document element is `imagen`, expected `image`. Did you mean "
+        + "`image`?");
     assertProblems(SceneReader.read(files.write("picture.png", new byte[] {(byte) 0x89, 'P', 'N', 'G', 13, 10, 26, 10, 0})),
         "1:1: warning: the file is not encoded in `UTF-8`; read as Latin-1",
         "2:1: the character of code 1a (hexadecimal) must not occur in XML: is this a scene file?");
@@ -188,7 +193,8 @@ class SceneReaderTest {
   @Test
   void theImageMayBeInsideAnotherElement() {
     final String wrapped = SceneFiles.SOUND.replace("<image name=\"a ball\">", "<all><image>") + "</all>";
-    assertProblems(files.read(wrapped), "2:1: warning: the document element is `all`, expected `image`; it is looked for inside");
+    assertProblems(files.read(wrapped), "2:1: warning: the document element is `all`, expected `image`; it is looked "
+        + "for inside");
   }
 
   @Test

@@ -65,11 +65,14 @@ class SchemaTest {
   }
 
   @ParameterizedTest
-  @CsvSource(delimiter = '|', value = {"<W>40|<W>0", "<radius>1|<radius>0", "<radius>1|<radius>NaN", "<radius>1|<radius>1f", "<radius>|<Radius>",
-    "type=\"sphere\"|type=\"spere\"", "<modelId>ball|<modelId>bull", "255 0 0|256 0 0", "<up>0 1 0|<up>0 1", "\"perspective\"|\"nlperspective\"",
+  @CsvSource(delimiter = '|',
+      value = {"<W>40|<W>0", "<radius>1|<radius>0", "<radius>1|<radius>NaN", "<radius>1|<radius>1f", "<radius>|<Radius>",
+    "type=\"sphere\"|type=\"spere\"", "<modelId>ball|<modelId>bull", "255 0 0|256 0 0", "<up>0 1 0|<up>0 "
+        + "1", "\"perspective\"|\"nlperspective\"",
     "<showProgress>true|<showProgress>yes", "<fov>60|<fov>181"})
   void whatIsWrongIsNotValid(final String part, final String other) {
-    assertThrows(SAXException.class, () -> validate(SceneFiles.SOUND.replace(part, other).replace("</Radius>", "</radius>")));
+    assertThrows(SAXException.class, () -> validate(SceneFiles.SOUND.replace(part,
+        other).replace("</Radius>", "</radius>")));
   }
 
   /** Each name of the language has a documented element in the schema, and the schema has no others. */
@@ -94,7 +97,8 @@ class SchemaTest {
     final String text = Files.readString(FOLDER.resolve("scene.xsd"));
     for (final String element : new String[] {"model", "light"}) {
       final int from = text.indexOf("<xs:simpleType name=\"" + element + "Type\">");
-      final Matcher value = Pattern.compile("<xs:enumeration value=\"([\\w-]+)\"").matcher(text.substring(from, text.indexOf("</xs:simpleType>", from)));
+      final Matcher value = Pattern.compile("<xs:enumeration value=\"([\\w-]+)\"").matcher(text.substring(from,
+          text.indexOf("</xs:simpleType>", from)));
       final Set<String> types = new TreeSet<>();
       while (value.find()) {
         types.add(value.group(1));

@@ -67,6 +67,7 @@ final class CommandLine {
       process.destroyForcibly();
       throw new AssertionError("no end after a minute");
     }
-    return new Result(process.exitValue(), Files.readString(folder.resolve("out.txt")), Files.readString(folder.resolve("err.txt")));
+    return new Result(process.exitValue(), Files.readString(folder.resolve("out.txt")),
+        Files.readString(folder.resolve("err.txt")));
   }
 }

@@ -36,7 +36,8 @@ class FaultsTest {
         <engine><illumination>false</illumination></engine>
         <camera><position>0 0 5</position><lookAt>0 0 0</lookAt><up>0 1 0</up></camera>
         <projection type="perspective"><fov>40</fov></projection>
-        <models><model id="t" type="torus"><rotationalRadius>1</rotationalRadius><circunferenceRadius>0.4</circunferenceRadius></model></models>
+        <models><model id="t" type="torus"><rotationalRadius>1</rotationalRadius>
+          <circunferenceRadius>0.4</circunferenceRadius></model></models>
         <scene><object><modelId>t</modelId><color>255 0 0</color></object></scene>
       </image>
       """;
@@ -71,7 +72,8 @@ class FaultsTest {
     Files.createDirectories(folder.resolve("images/t.png"));
     final CommandLine.Result result = program.run("t.xml");
     assertEquals(1, result.status());
-    assertEquals(Path.of("images", "t.png") + ": the picture cannot be saved: there is a folder of this name\n", result.err());
+    assertEquals(Path.of("images", "t.png") + ": the picture cannot be saved: there is a folder of this name\n",
+        result.err());
     Files.writeString(folder.resolve("file"), "");
     assertFails("file/t.png", "file is not a folder");
     assumeTrue(Files.exists(Path.of("/dev/null")));

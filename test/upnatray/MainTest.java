@@ -57,7 +57,8 @@ class MainTest {
 
   @Test
   void aSceneBecomesAPicture() throws Exception {
-    assertEquals(new CommandLine.Result(0, "ball.xml -> " + Path.of("images", "ball.png") + "\n", ""), program.run("ball.xml"));
+    assertEquals(new CommandLine.Result(0, "ball.xml -> " + Path.of("images", "ball.png") + "\n", ""),
+        program.run("ball.xml"));
     final BufferedImage picture = picture("images/ball.png");
     assertEquals(40, picture.getWidth());
     assertEquals(30, picture.getHeight());
@@ -76,7 +77,8 @@ class MainTest {
   void aBadSceneDoesNotStopTheOthers() throws Exception {
     final CommandLine.Result result = program.run("bad.xml", "none.xml", "ball.xml", "-o", "out");
     assertEquals(1, result.status());
-    assertEquals("bad.xml:2:14: `W` is out of range: found `0`, expected a whole number, W >= 1\nnone.xml: there is no such file\n",
+    assertEquals("bad.xml:2:14: `W` is out of range: found `0`, expected a whole number, W >= 1\nnone.xml: there is "
+        + "no such file\n",
         result.err());
     assertEquals(List.of("ball.png"), files("out"));
   }
@@ -116,8 +118,10 @@ class MainTest {
 
   @Test
   void spanishWhereTheLocaleIs() throws Exception {
-    final CommandLine.Result result = program.with("-Duser.language=es", "-Dfile.encoding=UTF-8", "-Dstderr.encoding=UTF-8").run("bad.xml");
-    assertEquals("bad.xml:2:14: `W` está fuera de rango: se encontró `0`, se esperaba un número entero, W >= 1\n", result.err());
+    final CommandLine.Result result = program.with("-Duser.language=es", "-Dfile.encoding=UTF-8",
+        "-Dstderr.encoding=UTF-8").run("bad.xml");
+    assertEquals("bad.xml:2:14: `W` está fuera de rango: se encontró `0`, se esperaba un número entero, W >= 1\n",
+        result.err());
   }
 
   @Test
@@ -141,7 +145,8 @@ class MainTest {
       mesh.append("v 1 2 3\n");
     }
     Files.writeString(folder.resolve("m.obj"), mesh);
-    Files.writeString(folder.resolve("mesh.xml"), SCENE.replace("sphere", "mesh").replace("<radius>1</radius>", "<objFile>m.obj</objFile>"));
+    Files.writeString(folder.resolve("mesh.xml"),
+        SCENE.replace("sphere", "mesh").replace("<radius>1</radius>", "<objFile>m.obj</objFile>"));
     final CommandLine.Result full = program.with("-Xmx16m").run("mesh.xml");
     assertEquals(1, full.status());
     assertTrue(full.err().startsWith("mesh.xml: memory is full: Java may use 16 MB"), full.err());

@@ -28,7 +28,8 @@ class OptionsTest {
   }
 
   @ParameterizedTest
-  @CsvSource(delimiter = '|', value = {"|640 480", "--width 320|320 240", "--height=240|320 240", "--width 100 --height 100|100 100", "--width 1|1 1",
+  @CsvSource(delimiter = '|', value = {"|640 480", "--width 320|320 240", "--height=240|320 240", "--width 100 "
+      + "--height 100|100 100", "--width 1|1 1",
     "--width=2147483647|2147483647 1610612735"})
   void oneSizeAloneKeepsTheProportions(final String args, final String size) throws UsageException {
     final int[] actual = Options.of(args == null ? new String[0] : args.split(" ")).size(640, 480);
@@ -46,7 +47,8 @@ class OptionsTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"--widht 3", "-x", "--width", "--width=", "--width x", "--width 0", "--width -5", "--width 1e3", "--width 99999999999", "-o",
+  @ValueSource(strings = {"--widht 3", "-x", "--width", "--width=", "--width x", "--width 0", "--width -5", "--width "
+      + "1e3", "--width 99999999999", "-o",
     "--check=yes a.xml", "--help=1", "--check", "--threads 0"})
   void wrongUsageIsTold(final String args) {
     final UsageException wrong = assertThrows(UsageException.class, () -> Options.of(args.split(" ")));
