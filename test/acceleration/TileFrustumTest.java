@@ -67,7 +67,7 @@ class TileFrustumTest {
   @EnumSource
   void theWindowOfABoxHoldsEveryRayThatMeetsIt(final Tiles.Kind kind) {
     final int[] limited = {0};
-    Trials.of(2000, random -> {
+    Trials.of(1000, random -> {
       final double size = size(random);
       final RayTile tile = Tiles.random(random, kind, size);
       for (int k = 0; k < 10; k++) {
@@ -79,14 +79,14 @@ class TileFrustumTest {
         limited[0] += tile.lastColumn() - tile.firstColumn() + 1 < tile.columns() ? 1 : 0;
       }
     });
-    assertTrue(limited[0] > 500 || kind == Tiles.Kind.ANY || kind == Tiles.Kind.ALL_THE_SAME, () -> limited[0] + " windows");
+    assertTrue(limited[0] > 200 || kind == Tiles.Kind.ANY || kind == Tiles.Kind.ALL_THE_SAME, () -> limited[0] + " windows");
   }
 
   @ParameterizedTest
   @EnumSource
   void theTreeVisitsEveryBoxThatARayMeets(final Tiles.Kind kind) {
     final int[] met = {0}, passed = {0};
-    Trials.of(1000, random -> {
+    Trials.of(400, random -> {
       final double size = size(random);
       final RayTile tile = Tiles.random(random, kind, size);
       if (!tile.frustum().isFitted()) {
@@ -122,7 +122,7 @@ class TileFrustumTest {
         }
       }
     });
-    assertTrue(met[0] > 5000 && passed[0] > 500 || kind == Tiles.Kind.ANY,
+    assertTrue(met[0] > 2000 && passed[0] > 200 || kind == Tiles.Kind.ANY,
         () -> met[0] + " boxes met, " + passed[0] + " passed by");
   }
 
@@ -130,7 +130,7 @@ class TileFrustumTest {
   @EnumSource
   void theNearestBoxOfEachRayIsFoundThoughOthersAreLeftOut(final Tiles.Kind kind) {
     final int[] met = {0};
-    Trials.of(500, random -> {
+    Trials.of(150, random -> {
       final double size = size(random);
       final RayTile tile = Tiles.random(random, kind, size);
       if (!tile.frustum().isFitted()) {
@@ -166,14 +166,14 @@ class TileFrustumTest {
         assertEquals(expected, nearest[i], "pixel " + i);
       }
     });
-    assertTrue(met[0] > 5000 || kind == Tiles.Kind.ANY, () -> met[0] + " boxes met");
+    assertTrue(met[0] > 2000 || kind == Tiles.Kind.ANY, () -> met[0] + " boxes met");
   }
 
   @ParameterizedTest
   @EnumSource(names = "ANY", mode = EnumSource.Mode.EXCLUDE)
   void theWindowOfATriangleHoldsEveryRayThatMeetsIt(final Tiles.Kind kind) {
     final int[] met = {0}, limited = {0};
-    Trials.of(2000, random -> {
+    Trials.of(1000, random -> {
       final double size = size(random);
       final RayTile tile = Tiles.random(random, kind, size);
       final TileFrustum f = tile.frustum();
@@ -195,7 +195,7 @@ class TileFrustumTest {
         }
       }
     });
-    assertTrue(met[0] > 3000 && (limited[0] > 300 || kind == Tiles.Kind.ALL_THE_SAME || kind == Tiles.Kind.NARROW),
+    assertTrue(met[0] > 1500 && (limited[0] > 150 || kind == Tiles.Kind.ALL_THE_SAME || kind == Tiles.Kind.NARROW),
         () -> met[0] + " triangles, " + limited[0] + " windows");
   }
 
@@ -241,22 +241,23 @@ class TileFrustumTest {
   @Test
   void raysWithACommonStartOrDirectionAreFitted() {
     final Map<Tiles.Kind, Integer> fitted = new EnumMap<>(Tiles.Kind.class), pyramids = new EnumMap<>(Tiles.Kind.class);
-    for (final Tiles.Kind kind : Tiles.Kind.values()) {
-      Trials.of(500, random -> {
-        final double size = size(random);
-      final RayTile tile = Tiles.random(random, kind, 1);
+    final int[] all = {0};
+    Trials.of(200, random -> {
+      all[0]++;
+      for (final Tiles.Kind kind : Tiles.Kind.values()) {
+        final RayTile tile = Tiles.random(random, kind, size(random));
         final boolean fits = tile.frustum().isFitted();
         fitted.merge(kind, fits ? 1 : 0, Integer::sum);
         pyramids.merge(kind, fits && tile.frustum().isPyramid() ? 1 : 0, Integer::sum);
-      });
-    }
+      }
+    });
     for (final Tiles.Kind kind : new Tiles.Kind[] {Tiles.Kind.PYRAMID, Tiles.Kind.PRISM, Tiles.Kind.SLANTED_PRISM,
         Tiles.Kind.ALL_THE_SAME}) {
-      assertEquals(500, fitted.get(kind), kind::name);
+      assertEquals(all[0], fitted.get(kind), kind::name);
     }
-    assertEquals(500, pyramids.get(Tiles.Kind.PYRAMID));
-    assertTrue(pyramids.get(Tiles.Kind.PRISM) < 100, pyramids::toString);
-    assertTrue(fitted.get(Tiles.Kind.ANY) < 100, fitted::toString);
+    assertEquals(all[0], pyramids.get(Tiles.Kind.PYRAMID));
+    assertTrue(5 * pyramids.get(Tiles.Kind.PRISM) < all[0], pyramids::toString);
+    assertTrue(5 * fitted.get(Tiles.Kind.ANY) < all[0], fitted::toString);
   }
 
   @Test
