@@ -12,6 +12,8 @@ import java.util.Locale;
 import java.util.ResourceBundle;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -90,8 +92,11 @@ class ReadmeTest {
     final List<String> named = readme.all("^\\| (\\w+) \\| [^|]+ \\|$").stream().map(name -> name.toLowerCase(Locale.ROOT))
         .collect(Collectors.toList());
     final String ivy = Files.readString(Path.of("ivy.xml"));
-    for (final String library : List.of("vecmath", "junit", "jacoco", "spotbugs", "jmh")) {
-      assertTrue(named.contains(library) && ivy.contains(library), library);
-    }
+    final Matcher dependency = Pattern.compile("<dependency org=\"([^\"]+)\" name=\"([^\"]+)\"").matcher(ivy);
+    assertTrue(dependency.find());
+    do {
+      final String library = dependency.group(1) + ' ' + dependency.group(2);
+      assertTrue(named.stream().anyMatch(library::contains), library);
+    } while (dependency.find());
   }
 }

@@ -1,0 +1,80 @@
+package documentation;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.spi.ToolProvider;
+import java.util.stream.Stream;
+
+import org.junit.jupiter.api.Test;
+
+import models.Object3D;
+
+/** Packages know those only that {@code doc/architecture.md} says; jdeps reads it from the compiled classes. */
+class ArchitectureTest {
+
+  private static final Pattern DEPENDENCY = Pattern.compile("^ +([a-z]+) +-> ([a-z]+) ", Pattern.MULTILINE);
+  private static final Pattern ROW = Pattern.compile("^\\| `([a-z]+)` \\| ([^|]*) \\|", Pattern.MULTILINE);
+  private static final Pattern NAME = Pattern.compile("`([a-z]+)`");
+
+  /** What each package knows of the others, by its classes. */
+  private static Map<String, Set<String>> found() throws Exception {
+    final Path classes = Path.of(Object3D.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+    final Map<String, Set<String>> found = new TreeMap<>();
+    try (Stream<Path> folders = Files.list(classes)) {
+      folders.filter(Files::isDirectory).map(folder -> folder.getFileName().toString())
+          .filter(name -> !"META-INF".equals(name)).forEach(name -> found.put(name, new TreeSet<>()));
+    }
+    final StringWriter text = new StringWriter();
+    ToolProvider.findFirst("jdeps").orElseThrow().run(new PrintWriter(text), new PrintWriter(text),
+        "-verbose:package", "--ignore-missing-deps", "--multi-release", "17", classes.toString());
+    final Matcher line = DEPENDENCY.matcher(text.toString());
+    while (line.find()) {
+      if (found.containsKey(line.group(1)) && found.containsKey(line.group(2))) {
+        found.get(line.group(1)).add(line.group(2));
+      }
+    }
+    return found;
+  }
+
+  private static Map<String, Set<String>> documented() throws IOException {
+    final Map<String, Set<String>> documented = new TreeMap<>();
+    final Matcher row = ROW.matcher(Files.readString(Path.of("doc", "architecture.md")));
+    while (row.find()) {
+      final Set<String> known = new TreeSet<>();
+      NAME.matcher(row.group(2)).results().forEach(name -> known.add(name.group(1)));
+      documented.put(row.group(1), known);
+    }
+    return documented;
+  }
+
+  @Test
+  void packagesKnowThoseThatTheDocumentSays() throws Exception {
+    assertEquals(text(documented()), text(found()));
+  }
+
+  /** The pairs that the assignment itself makes: a generator keeps its camera, a hit its object. */
+  @Test
+  void noTwoPackagesNeedEachOtherExceptWhereTheAssignmentSaysSo() throws Exception {
+    final Map<String, Set<String>> found = found();
+    found.get("tracer").removeAll(Set.of("models", "view"));
+    while (found.values().removeIf(Set::isEmpty)) {
+      found.values().forEach(known -> known.retainAll(found.keySet()));
+    }
+    assertEquals(Map.of(), found, "what is left needs itself");
+  }
+
+  private static String text(final Map<String, Set<String>> map) {
+    return map.toString().replace("], ", "],\n");
+  }
+}
