@@ -41,10 +41,10 @@ class EllipsoidContractTest implements Object3DContract {
   /** A unit sphere stretched by (3, 0.5, 2), turned by 90° about z so that i becomes y, and moved. */
   @Test
   void agreesWithATransformedSphere() {
-    final Object3D sphere = new AffineTransformation(new Vector3f(3, 0.5f, 2), new Vector3f(0, 0, 1), 90, new Vector3f(1, 2, 3),
-        new Sphere(new Point3D(), 1, Color.RED));
-    final Ellipsoid ellipsoid = new Ellipsoid(new Point3D(1, 2, 3), new Vector3D(0, 1, 0), new Vector3D(-1, 5, 0), 3, 0.5f, 2,
-        Color.RED);
+    final Object3D sphere = new AffineTransformation(new Vector3f(3, 0.5f, 2), new Vector3f(0, 0, 1), 90,
+        new Vector3f(1, 2, 3), new Sphere(new Point3D(), 1, Color.RED));
+    final Ellipsoid ellipsoid = new Ellipsoid(new Point3D(1, 2, 3), new Vector3D(0, 1, 0), new Vector3D(-1, 5, 0), 3, 0.5f,
+        2, Color.RED);
     final RandomNumbers numbers = new RandomNumbers("ellipsoid as a sphere");
     final ContractRays rays = new ContractRays(numbers, new Point3D(1, 2, 3), 6);
     int hits = 0;

@@ -40,8 +40,8 @@ import tracer.Ray;
  * <p>What it has to send through the placement are the points, the directions and the lengths; so the same shape can be
  * asked for where it is, a million times as large, or turned and moved. A shape that has no volume, such as a triangle,
  * answers false to {@link #isClosed}; one without a bounding box should tell its {@link #size} and its {@link #centre}.
- * Distances and normals have to be as exact as {@link #accuracy} says, in parts of the lengths that play a role. The tests of
- * this package implement it, {@code StudentsObjectTest} for a shape such as a student would write.
+ * Distances and normals have to be as exact as {@link #accuracy} says, in parts of the lengths that play a role. The tests
+ * of this package implement it, {@code StudentsObjectTest} for a shape such as a student would write.
  */
 public interface Object3DContract {
 
