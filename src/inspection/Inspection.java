@@ -13,7 +13,15 @@ import java.util.Optional;
  */
 public record Inspection(PixelRay pixel, List<Meeting> meetings, List<ColourStep> colour, int tests) {
 
-  /** Copies the lists. */
+  /**
+   * Copies the lists.
+   *
+   * @param pixel the pixel and its ray
+   * @param meetings the objects that the ray meets, in the order of t; at the end those that met nothing but have
+   *     findings
+   * @param colour how the colour comes about, step by step; the last step has the colour of the pixel
+   * @param tests what finding the closest hit cost, see {@link models.Cost}
+   */
   public Inspection {
     meetings = List.copyOf(meetings);
     colour = List.copyOf(colour);

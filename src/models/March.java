@@ -45,7 +45,15 @@ public record March(List<Step> steps, double limit, End end, double t) {
     GIVEN_UP
   }
 
-  /** Copies the list. */
+  /**
+   * Copies the list.
+   *
+   * @param steps the points where the distance was asked, in the order of asking; t can go back where a step was too
+   *     long
+   * @param limit t beyond which there can be nothing
+   * @param end why it ended
+   * @param t distance to the surface along the ray; infinity if it was not reached
+   */
   public March {
     steps = List.copyOf(steps);
   }

@@ -19,6 +19,9 @@ public record Rendering(int threads, Shading shading, Progress progress) {
   /**
    * Checks the parts.
    *
+   * @param threads number of threads, at least 1; the picture does not depend on it
+   * @param shading how a hit becomes a colour
+   * @param progress who watches
    * @throws IllegalArgumentException if there is no thread or a part is null
    */
   public Rendering {
