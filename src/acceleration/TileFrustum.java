@@ -171,7 +171,8 @@ public final class TileFrustum {
 
   /** Greatest distance of an interval's points from an origin, and twice what the origin's own rounding adds to it. */
   private static double most(final float from, final float to, final double origin) {
-    return Math.max(Math.abs(from - origin), Math.abs(to - origin)) + 2 * Math.abs(origin - (float) origin) / SidePlane.ROUNDING;
+    return Math.max(Math.abs(from - origin), Math.abs(to - origin))
+        + 2 * Math.abs(origin - (float) origin) / SidePlane.ROUNDING;
   }
 
   /** A distance before which no ray of the tile can be within a box; the box is the one at a place of an array. */
@@ -248,7 +249,8 @@ public final class TileFrustum {
     final double ra = (rowX * ax + rowY * ay + rowZ * az + rowAt) * ka;
     final double rb = (rowX * bx + rowY * by + rowZ * bz + rowAt) * kb;
     final double rc = (rowX * cx + rowY * cy + rowZ * cz + rowAt) * kc;
-    return limit(Math.min(ca, Math.min(cb, cc)), Math.max(ca, Math.max(cb, cc)), Math.min(ra, Math.min(rb, rc)), Math.max(ra, Math.max(rb, rc)));
+    return limit(Math.min(ca, Math.min(cb, cc)), Math.max(ca, Math.max(cb, cc)),
+        Math.min(ra, Math.min(rb, rc)), Math.max(ra, Math.max(rb, rc)));
   }
 
   private boolean all() {

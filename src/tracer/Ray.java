@@ -108,7 +108,8 @@ public final class Ray {
    */
   public static Ray towards(final double startX, final double startY, final double startZ,
       final double x, final double y, final double z) {
-    return new Ray(RayTile.rounded(startX), RayTile.rounded(startY), RayTile.rounded(startZ), x, y, z, 1 / Math.sqrt(x * x + y * y + z * z));
+    return new Ray(RayTile.rounded(startX), RayTile.rounded(startY), RayTile.rounded(startZ), x, y, z,
+        1 / Math.sqrt(x * x + y * y + z * z));
   }
 
   /**

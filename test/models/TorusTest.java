@@ -147,6 +147,26 @@ class TorusTest implements Object3DContract {
     });
   }
 
+  /**
+   * On the inner half the surface curves both ways, and between there are directions of no curvature at all: a ray along
+   * one of them, a little above or below the surface, stays close to it longest. Of the tube's angle a, tan² of the direction
+   * is −r cos a / (R + r cos a).
+   */
+  @Test
+  void raysAlongDirectionsWithoutCurvatureComeToAnEnd() {
+    final CrossingOracle oracle = new TorusOracle(O, Y, 10, 5);
+    final MarchingTrial trial = new MarchingTrial(TORUS, oracle);
+    Trials.of(3000, random -> {
+      final double a = Math.PI * (0.5 + random.nextDouble()), across = 10 + 5 * Math.cos(a);
+      final double tan = Math.sqrt(-5 * Math.cos(a) / across), along = 1 / Math.sqrt(1 + tan * tan);
+      final double up = tan * along * Math.cos(a), out = -tan * along * Math.sin(a);
+      final double off = Math.pow(10, -1 - 11 * random.nextDouble()) * (random.nextBoolean() ? 1 : -1);
+      final double x = across + off * Math.cos(a), y = (5 + off) * Math.sin(a), before = 5 * random.nextDouble();
+      trial.ask(Ray.exactly(x - before * out, y - before * up, -before * along, out, up, along));
+    });
+    trial.assertExact(1e-7, 1e-5);
+  }
+
   static Point3D placeNear(final Random random, final double size) {
     final double far = random.nextInt(3) == 0 ? 0 : size * Math.pow(10, 4 * random.nextDouble() - 2);
     return new Point3D((float) (far * random.nextGaussian()), (float) (far * random.nextGaussian()),
