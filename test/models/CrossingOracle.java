@@ -97,7 +97,7 @@ abstract class CrossingOracle {
    * @param certain {@link #firstCertain} of the ray
    */
   String fault(final Ray ray, final double t, final double certain) {
-    if (t > certain + tolerance(t)) {
+    if (t > certain + tolerance(certain)) {
       return "passes the crossing at " + certain + ": " + t;
     }
     if (t < Double.POSITIVE_INFINITY && !(Math.abs(t - certain) <= tolerance(t))

@@ -56,6 +56,37 @@ class ProceduralObject3DTest {
     }
   }
 
+  /** A torus whose distance is known in doubles, but that is marched to by nothing else. */
+  private static final class InDoubles extends ProceduralObject3D {
+
+    private final Torus torus;
+
+    InDoubles(final Torus torus) {
+      super(Color.RED);
+      this.torus = torus;
+    }
+
+    @Override
+    public Hit intersectionWith(final Ray ray) {
+      return rayMarching(ray);
+    }
+
+    @Override
+    double signedDistance(final double x, final double y, final double z) {
+      return torus.signedDistance(x, y, z);
+    }
+
+    @Override
+    protected float SDF(final Point3D P) {
+      return torus.SDF(P);
+    }
+
+    @Override
+    protected float distanceUpperBound(final Point3D P) {
+      return torus.distanceUpperBound(P);
+    }
+  }
+
   private static Procedural torus(final float R, final float r) {
     return new Procedural(R + r, P -> {
       final float across = (float) Math.sqrt(P.x * P.x + P.z * P.z) - R;
@@ -126,27 +157,7 @@ class ProceduralObject3DTest {
     final Torus torus = new Torus(new Point3D(1e4f, 2e4f, -3e4f), Y, 1, 0.3f, Color.RED);
     final CrossingOracle oracle = new TorusOracle(new Point3D(1e4f, 2e4f, -3e4f), Y, 1, 0.3f);
     final RandomRays rays = Surfaces.ofTorus(new Random(9), new Point3D(1e4f, 2e4f, -3e4f), Y, 1, 0.3f);
-    final ProceduralObject3D marched = new ProceduralObject3D(Color.RED) {
-      @Override
-      public Hit intersectionWith(final Ray ray) {
-        return rayMarching(ray);
-      }
-
-      @Override
-      double signedDistance(final double x, final double y, final double z) {
-        return torus.signedDistance(x, y, z);
-      }
-
-      @Override
-      protected float SDF(final Point3D P) {
-        return torus.SDF(P);
-      }
-
-      @Override
-      protected float distanceUpperBound(final Point3D P) {
-        return torus.distanceUpperBound(P);
-      }
-    };
+    final ProceduralObject3D marched = new InDoubles(torus);
     Trials.of(500, random -> {
       final Ray ray = rays.next(RandomRays.Kind.AT_SURFACE);
       final double t = marched.march(ray.startX(), ray.startY(), ray.startZ(),

@@ -149,8 +149,8 @@ class TorusTest implements Object3DContract {
 
   /**
    * On the inner half the surface curves both ways, and between there are directions of no curvature at all: a ray along
-   * one of them, a little above or below the surface, stays close to it longest. Of the tube's angle a, tan² of the direction
-   * is −r cos a / (R + r cos a).
+   * one of them, a little above or below the surface, stays close to it longest. Of the tube's angle a, tan² of the
+   * direction is −r cos a / (R + r cos a).
    */
   @Test
   void raysAlongDirectionsWithoutCurvatureComeToAnEnd() {
