@@ -130,7 +130,8 @@ public final class Bvh {
   }
 
   /**
-   * Visits the leaves that the rays of a tile may meet, the nearer child of a node first.
+   * Visits the leaves that the rays of a tile may meet, the nearer child of a node first. A thing in a leaf may have a tree of
+   * its own and ask it with the same frustum.
    *
    * @param frustum the frustum of the tile, which must be fitted
    * @param leaves whoever owns the things
@@ -139,10 +140,18 @@ public final class Bvh {
     if (isEmpty()) {
       return;
     }
-    if (!frustum.prepare(whole)) {
+    final float[] outer = frustum.prepared();
+    if (frustum.prepare(whole)) {
+      visitLeaves(frustum, leaves);
+    } else {
       leaves.visit(0, size);
-      return;
     }
+    if (outer != null) {
+      frustum.prepare(outer);
+    }
+  }
+
+  private void visitLeaves(final TileFrustum frustum, final Leaves leaves) {
     final int[] stack = new int[depth + 1];
     int top = 0, node = root;
     float farthest = Float.POSITIVE_INFINITY;

@@ -74,12 +74,16 @@ public final class TileFrustum {
   private int firstRow;
   private int lastRow;
 
+  /** The box last prepared for; null if there was none yet. */
+  private float[] prepared;
+
   TileFrustum() {
   }
 
   /** Encloses the rays of a tile, if they allow it. */
   void fit(final RayTile tile) {
     fitted = grid.fit(tile);
+    prepared = null;
     if (fitted) {
       columns = tile.columns();
       rows = tile.rows();
@@ -157,6 +161,7 @@ public final class TileFrustum {
    * @return false if floats could overflow, so that nothing may be asked of boxes
    */
   boolean prepare(final float[] whole) {
+    prepared = whole;
     floatX = (float) originX;
     floatY = (float) originY;
     floatZ = (float) originZ;
@@ -167,6 +172,11 @@ public final class TileFrustum {
     nearLoose = (float) (-mostAhead - SidePlane.ROUNDING * (x + y + z + mostAhead));
     farLoose = (float) (mostBehind + SidePlane.ROUNDING * (x + y + z + mostBehind));
     return greatest < HUGE && x + y + z + mostAhead + mostBehind < HUGE;
+  }
+
+  /** The box that was prepared for last; null if none was. */
+  float[] prepared() {
+    return prepared;
   }
 
   /** Greatest distance of an interval's points from an origin, and twice what the origin's own rounding adds to it. */

@@ -275,6 +275,22 @@ class TileFrustumTest {
   }
 
   @Test
+  void aTreeInALeafLeavesTheOuterOneItsAllowanceForRounding() {
+    Trials.of(100, random -> {
+      final RayTile tile = Tiles.random(random, Tiles.Kind.PYRAMID, 1);
+      final float[] near = {-1, -1, -1, 1, 1, 1}, wide = {-1e6f, -1e6f, -1e6f, 1e6f, 1e6f, 1e6f, -1, -1, -1, 1, 1, 1};
+      final TileFrustum frustum = tile.frustum();
+      final Bvh inner = Bvh.over(near.clone(), 1, new int[1]);
+      Bvh.over(wide.clone(), 1, new int[2]).closest(frustum, (first, end) -> {
+        final float before = frustum.nearest(near, 0);
+        inner.closest(frustum, (from, to) -> Double.POSITIVE_INFINITY);
+        assertEquals(before, frustum.nearest(near, 0));
+        return Double.POSITIVE_INFINITY;
+      });
+    });
+  }
+
+  @Test
   void aBoxWithoutEndIsSeenByTheWholeTile() {
     final RayTile tile = Tiles.random(new Random(3), Tiles.Kind.PYRAMID, 1);
     assertTrue(tile.look(BoundingBox.UNBOUNDED));
