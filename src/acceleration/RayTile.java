@@ -216,16 +216,17 @@ public final class RayTile {
    */
   public boolean look(final BoundingBox box) {
     lookEverywhere();
-    return !frustum.isFitted() || !box.isFinite() || look(frustum, box);
-  }
-
-  private boolean look(final TileFrustum f, final BoundingBox box) {
-    f.project(box);
-    firstColumn = Math.max(firstColumn, f.firstColumn());
-    lastColumn = Math.min(lastColumn, f.lastColumn());
-    firstRow = Math.max(firstRow, f.firstRow());
-    lastRow = Math.min(lastRow, f.lastRow());
-    return firstColumn <= lastColumn && firstRow <= lastRow;
+    if (!frustum.isFitted() || !box.isFinite()) {
+      return true;
+    }
+    if (!frustum.project(box)) {
+      return false;
+    }
+    firstColumn = frustum.firstColumn();
+    lastColumn = frustum.lastColumn();
+    firstRow = frustum.firstRow();
+    lastRow = frustum.lastRow();
+    return true;
   }
 
   /**

@@ -291,6 +291,18 @@ class TileFrustumTest {
   }
 
   @Test
+  void aBoxBesideTheRaysIsNotLookedAtThoughTheOneBeforeWas() {
+    final RayTile tile = new RayTile();
+    tile.open(2, 1);
+    tile.put(0, 0, 0, 0, -0.01, 0, -1);
+    tile.put(1, 0, 0, 0, 0.01, 0, -1);
+    tile.close();
+    assertTrue(tile.look(new BoundingBox(new Point3D(-1, -1, -3), new Point3D(1, 1, -2))));
+    assertFalse(tile.look(new BoundingBox(new Point3D(5, -1, -3), new Point3D(6, 1, -2))));
+    assertFalse(tile.look(new BoundingBox(new Point3D(-1, -1, 2), new Point3D(1, 1, 3))));
+  }
+
+  @Test
   void aBoxWithoutEndIsSeenByTheWholeTile() {
     final RayTile tile = Tiles.random(new Random(3), Tiles.Kind.PYRAMID, 1);
     assertTrue(tile.look(BoundingBox.UNBOUNDED));
