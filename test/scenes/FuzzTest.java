@@ -12,14 +12,16 @@ import org.junit.jupiter.params.provider.EnumSource;
 /** A little of what {@link Fuzz} does, with the same files in every run. */
 class FuzzTest {
 
-  private static final int FILES = 300;
+  private static final int FILES = 2000;
 
   @ParameterizedTest
   @EnumSource
-  void whateverIsInAFileTheReaderAnswers(final Fuzz.Kind kind, @TempDir final Path folder) throws IOException {
-    final Fuzz fuzz = new Fuzz(folder);
-    for (int seed = 0; seed < FILES; seed++) {
-      assertNull(fuzz.finding(kind, seed), "seed " + seed);
+  void whateverIsInAFileTheReaderAnswers(final Mutations.Kind kind, @TempDir final Path folder)
+      throws IOException, InterruptedException {
+    try (Fuzz fuzz = new Fuzz(folder)) {
+      for (int seed = 0; seed < FILES; seed++) {
+        assertNull(fuzz.finding(kind, seed), "seed " + seed);
+      }
     }
   }
 }
