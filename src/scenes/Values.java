@@ -106,10 +106,20 @@ final class Values {
     }
     final float number = Float.parseFloat(token.text);
     if (!Float.isFinite(number) || !range.contains(number)) {
-      problems.error(token.offset, "outOfRange", name, Messages.quote(token.text), Expected.number(range).text(name));
+      final float held = held(token.text, number);
+      final String key = held != number && range.contains(held) ? "beyondFloat" : "outOfRange";
+      problems.error(token.offset, key, name, Messages.quote(token.text), Expected.number(range).text(name));
       return Float.NaN;
     }
     return number;
+  }
+
+  /** A number that a text was rounded to, but neither infinite nor 0 if the text is not. */
+  private static float held(final String text, final float number) {
+    if (Float.isInfinite(number)) {
+      return Math.copySign(Float.MAX_VALUE, number);
+    }
+    return number == 0 && text.split("[eE]")[0].matches(".*[1-9].*") ? Math.copySign(Float.MIN_VALUE, number) : number;
   }
 
   /** Whether a text is a decimal number: a sign, digits, a point, an exponent, and nothing else of Java's floats. */
@@ -164,7 +174,8 @@ final class Values {
     final boolean sound = digits > 0 && start + digits == text.length();
     final double number = sound ? Double.parseDouble(text) : Double.NaN;
     if (!(number >= minimum && number <= Integer.MAX_VALUE)) {
-      problems.error(value.valueOffset(), sound ? "outOfRange" : "notInteger", value.name(), Messages.quote(text),
+      final String key = number > Integer.MAX_VALUE ? "beyondInteger" : sound ? "outOfRange" : "notInteger";
+      problems.error(value.valueOffset(), key, value.name(), Messages.quote(text),
           Expected.integer(minimum).text(value.name()));
       return NONE;
     }

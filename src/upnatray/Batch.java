@@ -45,11 +45,15 @@ final class Batch {
       if (target != null) {
         PngFile.check(target);
       }
-      final Scene scene = read(file);
-      if (scene != null && target != null) {
-        render(file, scene, target);
+      final Reading reading = SceneReader.read(file);
+      reading.problems().forEach(err::println);
+      if (target == null) {
+        return isSound(file, reading);
       }
-      return scene != null;
+      if (reading.scene().isPresent()) {
+        render(file, reading.scene().get(), target);
+        return true;
+      }
     } catch (final FailedException failure) {
       err.println(failure.getMessage());
     } catch (final OutOfMemoryError full) {
@@ -58,18 +62,21 @@ final class Batch {
     return false;
   }
 
-  /** Reads a scene and tells its problems; answers null if it cannot be rendered. */
-  private Scene read(final Path file) {
-    final Reading reading = SceneReader.read(file);
-    int errors = 0;
-    for (final Problem problem : reading.problems()) {
-      err.println(problem);
-      errors += problem.isError() ? 1 : 0;
+  /** Counts what is wrong with a scene; a picture that no array can hold is wrong as well. */
+  private boolean isSound(final Path file, final Reading reading) {
+    long errors = reading.problems().stream().filter(Problem::isError).count();
+    final long warnings = reading.problems().size() - errors;
+    if (reading.scene().isPresent()) {
+      final int[] size = options.size(reading.scene().get().width(), reading.scene().get().height());
+      try {
+        Image.height(size[0], size[1]);
+      } catch (final IllegalArgumentException tooLarge) {
+        err.println(Messages.text("imageTooLarge", file, tooLarge.getMessage()));
+        errors++;
+      }
     }
-    if (options.check()) {
-      out.println(Messages.text("checked", file, errors, reading.problems().size() - errors));
-    }
-    return reading.scene().orElse(null);
+    out.println(Messages.text("checked", file, errors, warnings));
+    return errors == 0;
   }
 
   private void render(final Path file, final Scene scene, final Path target) throws FailedException {

@@ -37,7 +37,8 @@ public class Image extends BufferedImage {
     Arrays.fill(pixels(), this.background);
   }
 
-  private static int height(final int W, final int H) {
+  /** The height of an image, if an array can hold so many pixels. */
+  static int height(final int W, final int H) {
     if ((long) W * positive("H", H) > Integer.MAX_VALUE - 8) {
       throw wrong("imageSize", W, H, Integer.MAX_VALUE - 8);
     }

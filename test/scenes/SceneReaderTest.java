@@ -91,6 +91,22 @@ class SceneReaderTest {
   }
 
   @Test
+  void numbersThatNoFloatOrIntHoldsAreNotSaidToBeOutOfRange() {
+    assertProblems(files.readWith("<radius>1</radius>", "<radius>1e99</radius>"),
+        "27:15: `radius` is a number that no float holds: found `1e99`, expected a number such as 2.5, radius > 0, "
+            + "in size from 1.4e-45 to 3.4e38");
+    assertProblems(files.readWith("<radius>1</radius>", "<radius>+0.05e-99</radius>"),
+        "27:15: `radius` is a number that no float holds: found `+0.05e-99`, expected a number such as 2.5, radius > 0, "
+            + "in size from 1.4e-45 to 3.4e38");
+    assertProblems(files.readWith("<radius>1</radius>", "<radius>-1e99</radius>"),
+        "27:15: `radius` is out of range: found `-1e99`, expected a number such as 2.5, radius > 0");
+    assertProblems(files.readWith("<radius>1</radius>", "<radius>0.0e9</radius>"),
+        "27:15: `radius` is out of range: found `0.0e9`, expected a number such as 2.5, radius > 0");
+    assertProblems(files.readWith("<W>40</W>", "<W>2147483648</W>"),
+        "4:8: `W` is too large: found `2147483648`, expected a whole number, W >= 1, at most 2147483647");
+  }
+
+  @Test
   void messagesAreInSpanishWhereTheLocaleIs() {
     SceneFiles.in(new Locale("es", "ES"), () -> {
       assertProblems(files.readWith("<W>40</W>", "<W>cuarenta</W><ancho>1</ancho><backgroudColor>1</backgroudColor>"),

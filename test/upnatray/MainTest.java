@@ -87,9 +87,21 @@ class MainTest {
   void checkingRendersNothing() throws Exception {
     final CommandLine.Result result = program.run("--check", "ball.xml", "bad.xml");
     assertEquals(1, result.status());
-    assertEquals("ball.xml: 0 errors, 0 warnings\nbad.xml: 1 errors, 0 warnings\n", result.out());
+    assertEquals("ball.xml: errors: 0, warnings: 0\nbad.xml: errors: 1, warnings: 0\n", result.out());
     assertFalse(Files.exists(folder.resolve("images")));
     assertEquals(0, program.run("--check", "ball.xml").status());
+  }
+
+  @Test
+  void checkingTellsOfAPictureThatNoArrayHolds() throws Exception {
+    Files.writeString(folder.resolve("vast.xml"), SCENE.replace("<W>40</W>", "<W>70000</W>")
+        .replace("<H>30</H>", "<H>70000</H>"));
+    final CommandLine.Result result = program.run("--check", "vast.xml");
+    assertEquals(1, result.status());
+    assertTrue(result.err().endsWith(
+        "vast.xml: an image of 70000 x 70000 pixels cannot be held: at most 2147483639 pixels can\n"), result.err());
+    assertTrue(result.out().startsWith("vast.xml: errors: 1,"), result.out());
+    assertEquals(0, program.run("--check", "vast.xml", "--width", "70").status());
   }
 
   @Test
