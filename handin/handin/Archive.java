@@ -12,7 +12,8 @@ import org.apache.tools.zip.ZipOutputStream;
 
 /**
  * A zip whose bytes depend on the contents of its files only: their order is that of their names, and all have one time,
- * that of the assignment's deadline. Ant's zip classes are used because those of the JDK cannot say that a file may be executed.
+ * that of the assignment's deadline. Ant's zip classes are used because those of the JDK cannot say that a file may be
+ * executed.
  */
 final class Archive {
 
