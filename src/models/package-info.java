@@ -10,7 +10,25 @@
  * <li>{@code getBoundingBox}, so that rays that pass it by are not sent to it;</li>
  * <li>computing in double what can cancel, such as a discriminant.</li>
  * </ul>
- * <p>The tests have an interface of laws that every shape must obey; a test of a new shape implements it.
+ * <p>The tests have an interface of laws that every shape must obey; a test of a new shape implements it. As an example,
+ * a floor without end:
+ *
+ * <pre>{@code
+ * public class Floor extends Object3D {
+ *   private final float height;
+ *
+ *   public Floor(float height, Color color) {
+ *     super(color);
+ *     this.height = height;
+ *   }
+ *
+ *   public Hit intersectionWith(Ray ray) {
+ *     float t = (height - ray.getStartingPoint().y) / ray.getDirection().y;
+ *     boolean hits = t > 0 && t < Float.POSITIVE_INFINITY;
+ *     return hits ? new Hit(t, ray.pointAtParameter(t), new Vector3D(0, 1, 0), this) : Hit.NOHIT;
+ *   }
+ * }
+ * }</pre>
  *
  * <h2>Constructors that the assignment describes in words</h2>
  * <ul>

@@ -6,21 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
-import java.io.File;
 import java.io.IOException;
-import java.io.StringWriter;
 import java.net.URL;
 import java.net.URLClassLoader;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
+import java.util.regex.Pattern;
 
 import javax.imageio.ImageIO;
-import javax.tools.JavaCompiler;
-import javax.tools.ToolProvider;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -34,33 +27,32 @@ import tracer.Ray;
 /** The examples of the README compile without a warning, and do what is said of them. */
 class ReadmeExamplesTest {
 
-  private static final String CLASS_PATH = Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))
-      .map(entry -> Path.of(entry).toAbsolutePath().toString()).collect(Collectors.joining(File.pathSeparator));
+  private static final Pattern CLASS = Pattern.compile("^public class (\\w+) ", Pattern.MULTILINE);
 
   @TempDir
   private Path folder;
 
-  /** Compiles a class of the README into the folder. */
-  private void compile(final String className) throws IOException {
-    final Path source = Files.writeString(folder.resolve(className + ".java"), new Readme().source(className));
-    final JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
-    final StringWriter messages = new StringWriter();
-    final boolean compiled = compiler.getTask(messages, null, null,
-        List.of("-Xlint:all", "-Werror", "-proc:none", "--release", "17", "-cp", CLASS_PATH, "-d", folder.toString()), null,
-        compiler.getStandardFileManager(null, null, null).getJavaFileObjects(source)).call();
-    assertTrue(compiled, messages::toString);
+  private final List<String> blocks;
+
+  ReadmeExamplesTest() throws IOException {
+    blocks = new Document("README.md").blocks("java");
+  }
+
+  /** The source that defines a public class. */
+  private String source(final String className) {
+    return blocks.stream().filter(block -> block.contains("public class " + className + " "))
+        .findFirst().orElseThrow(() -> new AssertionError("the README has no class " + className));
+  }
+
+  private Compilation compile(final String className) throws IOException {
+    final Compilation compilation = new Compilation(folder).add(className + ".java", source(className));
+    compilation.succeeds();
+    return compilation;
   }
 
   @Test
   void theFirstProgramMakesItsPicture() throws Exception {
-    compile("First");
-    final Path output = folder.resolve("output");
-    final Process program = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-        "-Djava.awt.headless=true", "-cp", folder + File.pathSeparator + CLASS_PATH, "First")
-        .directory(folder.toFile()).redirectErrorStream(true).redirectOutput(output.toFile()).start();
-    assertTrue(program.waitFor(2, TimeUnit.MINUTES), "it does not come to an end");
-    assertEquals("", Files.readString(output));
-    assertEquals(0, program.exitValue());
+    assertEquals("", compile("First").run("First"));
     final BufferedImage picture = ImageIO.read(folder.resolve("first.png").toFile());
     assertEquals(600, picture.getWidth());
     assertEquals(400, picture.getHeight());
@@ -84,5 +76,30 @@ class ReadmeExamplesTest {
       assertSame(Hit.NOHIT, disc.intersectionWith(new Ray(new Point3D(2.1f, 5, 0), down)));
       assertSame(Hit.NOHIT, disc.intersectionWith(new Ray(new Point3D(0, 0, 0), down)));
     }
+  }
+
+  /** A block without a class of its own is what is written into the disc. */
+  @Test
+  void everyBlockCompiles() throws IOException {
+    int members = 0;
+    for (final String block : blocks) {
+      if (!CLASS.matcher(block).find()) {
+        final String disc = source("Disc");
+        new Compilation(folder.resolve("members" + ++members))
+            .add("Disc.java", disc.substring(0, disc.lastIndexOf('}')) + "\n" + block + "}\n").succeeds();
+      }
+    }
+    assertEquals(1, members);
+    assertEquals(3, blocks.size());
+  }
+
+  /** As told in words: the lines of the first program up to the projection, and then the call. */
+  @Test
+  void theProgramThatShowsADiscInTheWindowCompiles() throws IOException {
+    final List<String> calls = new Document("README.md").all("`(window\\.[^`]+\\))`");
+    assertEquals(1, calls.size());
+    final String first = source("First");
+    final int projection = first.indexOf('\n', first.indexOf("setProjection"));
+    new Compilation(folder).add("First.java", first.substring(0, projection) + "\n" + calls.get(0) + ";\n}\n}\n").succeeds();
   }
 }

@@ -26,10 +26,10 @@ class ReadmeTest {
   private static final Path GALLERY = Path.of("doc", "gallery");
   private static final int LARGEST_PICTURE = 60_000;
 
-  private final Readme readme;
+  private final Document readme;
 
   ReadmeTest() throws IOException {
-    readme = new Readme();
+    readme = new Document("README.md");
   }
 
   private static Set<String> names(final Path folder, final String ending) throws IOException {

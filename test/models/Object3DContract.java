@@ -27,12 +27,13 @@ import tracer.Ray;
  * them; it has to write two methods:
  *
  * <pre>{@code
- * class ConeTest implements Object3DContract {
- *   public Object3D shape(Placement at) {                    // some cone: C, axis, radius, height and colour
- *     return new Cone(at.point(1, 2, 3), at.direction(0, 1, 0), at.length(2), at.length(5), Color.RED);
+ * class BallTest implements Object3DContract {
+ *   public Object3D shape(Placement at) {
+ *     return new Sphere(at.point(1, 2, 3), at.length(4), Color.RED);
  *   }
+ *
  *   public double signedDistance(double x, double y, double z) {
- *     ...                                                    // from the surface of that cone, negative inside
+ *     return Math.hypot(Math.hypot(x - 1, y - 2), z - 3) - 4;
  *   }
  * }
  * }</pre>

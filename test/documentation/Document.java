@@ -8,19 +8,19 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** The README, and what can be asked of it. */
-final class Readme {
+/** A text of the project, such as the README, and what can be asked of it. */
+final class Document {
 
   private final String text;
 
-  Readme() throws IOException {
-    text = Files.readString(Path.of("README.md"));
+  Document(final String name) throws IOException {
+    text = Files.readString(Path.of(name));
   }
 
   /** What the groups of a pattern match, one text for each match. */
   List<String> all(final String pattern) {
     return Pattern.compile(pattern, Pattern.MULTILINE).matcher(text).results()
-        .map(Readme::group).collect(Collectors.toList());
+        .map(Document::group).collect(Collectors.toList());
   }
 
   private static String group(final MatchResult match) {
@@ -30,11 +30,5 @@ final class Readme {
   /** The blocks of a language, without their fences. */
   List<String> blocks(final String language) {
     return all("^```" + language + "\\n([\\s\\S]*?)^```$");
-  }
-
-  /** The Java source that defines a public class. */
-  String source(final String className) {
-    return blocks("java").stream().filter(block -> block.contains("public class " + className + " "))
-        .findFirst().orElseThrow(() -> new AssertionError("the README has no class " + className));
   }
 }
