@@ -50,7 +50,8 @@ final class RandomScene {
     for (int i = 0, at = 0; i < side; i++) {
       for (int j = 0; j < side; j++) {
         final int k = (i + 1) % side, l = (j + 1) % side;
-        for (final int vertex : new int[] {i * side + j, i * side + l, k * side + l, i * side + j, k * side + l, k * side + j}) {
+        final int from = i * side + j, to = k * side + l;
+        for (final int vertex : new int[] {from, i * side + l, to, from, to, k * side + j}) {
           corners[at++] = vertex;
         }
       }

@@ -41,8 +41,8 @@ public class ShapeBenchmark {
   private static final int RAYS = 1 << 12;
 
   /** Kind of the shape. */
-  @Param({"sphere", "plane", "triangle", "cylinder", "capsule", "box", "torus", "ellipsoid", "transformed sphere", "mesh 100k",
-      "group of 9"})
+  @Param({"sphere", "plane", "triangle", "cylinder", "capsule", "box", "torus", "ellipsoid", "transformed sphere",
+      "mesh 100k", "group of 9"})
   public String shape;
 
   private Object3D object;

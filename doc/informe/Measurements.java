@@ -60,7 +60,8 @@ public final class Measurements {
       lost[1] += triangles.stream().anyMatch(t -> hitsDouble(ray, t)) ? 0 : 1;
       lost[2] += mesh.intersectionWith(ray).hits() ? 0 : 1;
     }
-    System.out.printf("lost at edges of %d rays: Moeller-Trumbore float %d, double %d, ours %d%n", RAYS, lost[0], lost[1], lost[2]);
+    System.out.printf("lost at edges of %d rays: Moeller-Trumbore float %d, double %d, ours %d%n",
+        RAYS, lost[0], lost[1], lost[2]);
   }
 
   private void octahedron() {
@@ -128,7 +129,7 @@ public final class Measurements {
     return u >= 0 && v >= 0 && u + v <= 1 && f * (vx * qx + vy * qy + vz * qz) > 0;
   }
 
-  /** Plain sphere tracing along rays that pass near a thin torus or along an ellipsoid, and the answers of the usual loop. */
+  /** Plain sphere tracing along rays near a thin torus or along an ellipsoid, and the answers of the usual loop. */
   private void steps(final String name, final Object3D object, final float r, final boolean ring) {
     final int rays = RAYS / 20;
     long sum = 0;
@@ -144,8 +145,8 @@ public final class Measurements {
         invented += !hits && reached ? 1 : 0;
       }
     }
-    System.out.printf("%s: steps of plain sphere tracing %.1f on average, at most %d; the float loop loses %d and invents %d of %d%n",
-        name, sum / (double) rays, most, lost, invented, rays);
+    System.out.printf("%s: steps of plain sphere tracing %.1f on average, at most %d; "
+        + "the float loop loses %d and invents %d of %d%n", name, sum / (double) rays, most, lost, invented, rays);
   }
 
   private Point3D nearRing(final double distance) {

@@ -70,7 +70,8 @@ final class Bins {
     return best;
   }
 
-  private Split part(final int first, final int end, final int axis, final float least, final float scale, final int border) {
+  private Split part(final int first, final int end, final int axis, final float least, final float scale,
+      final int border) {
     final Split split = new Split();
     for (int b = 0; b < COUNT; b++) {
       (b < border ? split.left : split.right).add(extents[b].numbers(), 0);

@@ -63,7 +63,8 @@ final class Extent {
 
   /** Half the surface of the box; 0 if it is empty. In double, for extents whose products no float holds. */
   double area() {
-    final double x = (double) numbers[3] - numbers[0], y = (double) numbers[4] - numbers[1], z = (double) numbers[5] - numbers[2];
+    final double x = (double) numbers[3] - numbers[0], y = (double) numbers[4] - numbers[1];
+    final double z = (double) numbers[5] - numbers[2];
     return x >= 0 ? x * y + y * z + z * x : 0;
   }
 

@@ -98,7 +98,8 @@ final class GridFit {
   /** The a and b dual to the steps of q along columns and rows; where there are no rows, any perpendicular step serves. */
   private boolean dual(final double cx, final double cy, final double cz, final boolean anyRows,
       final double x, final double y, final double z) {
-    final double rx = anyRows ? wy * cz - wz * cy : x, ry = anyRows ? wz * cx - wx * cz : y, rz = anyRows ? wx * cy - wy * cx : z;
+    final double rx = anyRows ? wy * cz - wz * cy : x, ry = anyRows ? wz * cx - wx * cz : y;
+    final double rz = anyRows ? wx * cy - wy * cx : z;
     ax = ry * wz - rz * wy;
     ay = rz * wx - rx * wz;
     az = rx * wy - ry * wx;

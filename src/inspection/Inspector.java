@@ -58,8 +58,8 @@ public final class Inspector {
   }
 
   /**
-   * What the scene itself answers for the tile of the picture that the pixel is in: not what a mistake in some object, such as
-   * too small a box, keeps it from finding there.
+   * What the scene itself answers for the tile of the picture that the pixel is in: not what a mistake in some object, such
+   * as too small a box, keeps it from finding there.
    */
   private Hit closest(final int m, final int n) {
     final int column = m % RayTile.SIZE, row = n % RayTile.SIZE, firstM = m - column, firstN = n - row;

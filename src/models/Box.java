@@ -99,7 +99,8 @@ public class Box extends Object3D {
 
   @Override
   public List<Object> constructorArguments() {
-    return List.of(frame.origin(), frame.i(), frame.j(), (float) (2 * halfW), (float) (2 * halfH), (float) (2 * halfD), getColor());
+    return List.of(frame.origin(), frame.i(), frame.j(), (float) (2 * halfW), (float) (2 * halfH), (float) (2 * halfD),
+        getColor());
   }
 
   @Override

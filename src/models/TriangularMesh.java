@@ -21,8 +21,8 @@ import tracer.Ray;
  * A surface made of triangles.
  *
  * <p>A mesh is kept as arrays, three floats for each vertex and three vertex numbers for each triangle, with a tree of the
- * triangles' boxes ({@link acceleration.Bvh}); a {@link Triangle} object is made when one is asked for or hit. A closed mesh has
- * no cracks: no ray passes between two triangles that share an edge or a vertex. Facets without area are left out.
+ * triangles' boxes ({@link acceleration.Bvh}); a {@link Triangle} object is made when one is asked for or hit. A closed mesh
+ * has no cracks: no ray passes between two triangles that share an edge or a vertex. Facets without area are left out.
  */
 public class TriangularMesh extends Object3D {
 
@@ -37,8 +37,8 @@ public class TriangularMesh extends Object3D {
    * @param facetas the facets: each three vertex indices, counter-clockwise, separated by blanks or commas; what follows a
    *     {@code /} in an index is ignored
    * @param color colour of all triangles
-   * @throws IllegalArgumentException if an argument or an element of it is null, if a vertex is not finite, if a facet is not
-   *     three indices of the map, or if no facet has an area
+   * @throws IllegalArgumentException if an argument or an element of it is null, if a vertex is not finite, if a facet is
+   *     not three indices of the map, or if no facet has an area
    */
   public TriangularMesh(final Map<Integer, Point3D> vertices, final List<String> facetas, final Color color) {
     this(Facets.arrays(vertices, facetas), notNull("color", color));
@@ -50,8 +50,8 @@ public class TriangularMesh extends Object3D {
    * @param vertices the vertices, by indices of any value
    * @param facetas the facets: each three vertex indices, counter-clockwise, separated by blanks or commas; what follows a
    *     {@code /} in an index is ignored
-   * @throws IllegalArgumentException if an argument or an element of it is null, if a vertex is not finite, if a facet is not
-   *     three indices of the map, or if no facet has an area
+   * @throws IllegalArgumentException if an argument or an element of it is null, if a vertex is not finite, if a facet is
+   *     not three indices of the map, or if no facet has an area
    */
   public TriangularMesh(final Map<Integer, Point3D> vertices, final List<String> facetas) {
     this(Facets.arrays(vertices, facetas), null);

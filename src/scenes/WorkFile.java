@@ -21,8 +21,8 @@ import view.Perspective;
 
 /**
  * A {@code .work} file: a scene of flat colours as ray tracers are compared by, one statement a line. {@code size W H},
- * {@code eye}, {@code look} and {@code up} with three numbers, {@code fov} (vertical, degrees), {@code background r g b}, and
- * the objects: {@code mesh FILE.obj r g b}, {@code spheres LIST} (a file of lines {@code x y z radius r g b}),
+ * {@code eye}, {@code look} and {@code up} with three numbers, {@code fov} (vertical, degrees), {@code background r g b},
+ * and the objects: {@code mesh FILE.obj r g b}, {@code spheres LIST} (a file of lines {@code x y z radius r g b}),
  * {@code torus x y z R r red green blue} (axis y), {@code ellipsoid x y z a b c red green blue}. Colours are 0 … 1.
  *
  * <p>Reading the file and building the scene are two steps, so that each can be timed.
@@ -83,7 +83,8 @@ public final class WorkFile {
       case "mesh" -> readMesh(Path.of(line.nextToken()), line);
       case "spheres" -> readSpheres(Path.of(line.nextToken()));
       case "torus" -> objects.add(new Torus(point(line), Y, number(line), number(line), color(line)));
-      case "ellipsoid" -> objects.add(new Ellipsoid(point(line), X, Y, number(line), number(line), number(line), color(line)));
+      case "ellipsoid" -> objects.add(
+          new Ellipsoid(point(line), X, Y, number(line), number(line), number(line), color(line)));
       default -> throw new IllegalArgumentException();
     }
   }

@@ -15,8 +15,8 @@ import view.Camera;
 
 /**
  * Measures {@link Image#synthesis} on a work: {@code --bench WORKFILE THREADS SECONDS OUT.png}. It renders frames for about
- * the given time and prints the line {@code RESULT mrays X percpu X build X load X hits X}: millions of rays per second by the
- * clock and per CPU second of the rendering threads, from the second half of the frames, when the code is compiled; the
+ * the given time and prints the line {@code RESULT mrays X percpu X build X load X hits X}: millions of rays per second by
+ * the clock and per CPU second of the rendering threads, from the second half of the frames, when the code is compiled; the
  * seconds that building and loading took; and the share of pixels hit. With 0 seconds it renders one frame.
  */
 final class Bench {
@@ -68,7 +68,8 @@ final class Bench {
       clock[frames] = (System.nanoTime() - frame) * 1e-9;
       busy[frames++] = seconds > 0 ? (cpu.get() + threadTime()) * 1e-9 : threads * clock[0];
     } while (goesOn(frames, (System.nanoTime() - start) * 1e-9, seconds));
-    report(Arrays.copyOfRange(clock, frames / 2, frames), Arrays.copyOfRange(busy, frames / 2, frames), load, build, share(image));
+    report(Arrays.copyOfRange(clock, frames / 2, frames), Arrays.copyOfRange(busy, frames / 2, frames), load, build,
+        share(image));
     try (OutputStream stream = Files.newOutputStream(out)) {
       PngWriter.write(image, stream);
     }

@@ -20,7 +20,7 @@ final class Culprit {
     this.generator = generator;
   }
 
-  /** What to throw for the failure of a tile: an explanation with the failure as its cause, or the failure if there is none. */
+  /** What to throw for the failure of a tile: an explanation with the failure as its cause, or else the failure itself. */
   RuntimeException explain(final RuntimeException failure, final int m, final int n, final int width, final int height) {
     for (int row = n; row < n + height; row++) {
       for (int column = m; column < m + width; column++) {

@@ -46,8 +46,8 @@ public class Image extends BufferedImage {
   }
 
   /**
-   * Computes all pixels: for each the ray of the camera's projection, its closest hit in the scene, and the colour of what is
-   * hit, or the background. All cores work on it; the pixels are the same, bit for bit, whatever their number.
+   * Computes all pixels: for each the ray of the camera's projection, its closest hit in the scene, and the colour of what
+   * is hit, or the background. All cores work on it; the pixels are the same, bit for bit, whatever their number.
    *
    * @param scene the scene, which must not change meanwhile
    * @param camera the camera

@@ -22,7 +22,8 @@ final class PngWriter {
 
   /**
    * Level of compression from 1 (fast) to 9. Measured on eleven rendered pictures: rows as they are, at this level, make
-   * files as long as those of the JDK's writer, in half the time of rows filtered by differences at level 6, which save 18 %.
+   * files as long as those of the JDK's writer, in half the time of rows filtered by differences at level 6, which save
+   * 18 %.
    */
   private static final int LEVEL = 4;
 

@@ -62,15 +62,18 @@ class CulpritTest {
     final RuntimeException failure = new ArithmeticException("by a student");
     final IllegalStateException told = messageOf(new Broken(failure));
     assertSame(failure, told.getCause());
-    final String start = "upnatray.CulpritTest$Broken.intersectionWith failed at pixel (15, 10) with Ray(R=(0.0, 0.0, 5.0), v=(";
+    final String start = "upnatray.CulpritTest$Broken.intersectionWith failed at pixel (15, 10) "
+        + "with Ray(R=(0.0, 0.0, 5.0), v=(";
     assertTrue(told.getMessage().startsWith(start), told.getMessage());
     assertTrue(told.getMessage().contains("by a student"), told.getMessage());
   }
 
   @Test
   void namesTheObjectWithinATransformation() {
-    final Object3D moved = new AffineTransformation(new Vector3f(2, 2, 2), new Vector3f(0, 0, 1), new Broken(new NullPointerException()));
-    assertTrue(messageOf(moved).getMessage().startsWith("upnatray.CulpritTest$Broken.intersectionWith"), messageOf(moved).getMessage());
+    final Object3D broken = new Broken(new NullPointerException());
+    final Object3D moved = new AffineTransformation(new Vector3f(2, 2, 2), new Vector3f(0, 0, 1), broken);
+    final String message = messageOf(moved).getMessage();
+    assertTrue(message.startsWith("upnatray.CulpritTest$Broken.intersectionWith"), message);
   }
 
   @Test

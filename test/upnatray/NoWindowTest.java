@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
+import java.util.List;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -23,7 +24,7 @@ class NoWindowTest {
         .run(SCENE, "--width", "32", "-o", "a.png");
     assertEquals(0, result.status(), result.err());
     assertTrue(result.out().contains(" upnatray.Synthesis "), "the classes are listed");
-    for (final String other : new String[] {" window.", " inspection.", " javax.swing.", " com.formdev.", " java.util.prefs."}) {
+    for (final String other : List.of(" window.", " inspection.", " javax.swing.", " com.formdev.", " java.util.prefs.")) {
       assertFalse(result.out().contains(other), other);
     }
   }

@@ -26,10 +26,10 @@ import scenes.Scene;
 import scenes.SceneReader;
 
 /**
- * Every example scene, rendered small, is the picture that is kept in {@code test/references}, pixel by pixel. Of one that is
- * not, the picture and the differences are left in {@code build/references}. What is right now becomes the reference by
- * {@code ant test-single -Dtest.includes=upnatray/ReferenceImagesTest.java -Dtest.jvmargs="-ea -Dtest.references=write"}; look
- * at the pictures before committing them.
+ * Every example scene, rendered small, is the picture that is kept in {@code test/references}, pixel by pixel. Of one that
+ * is not, the picture and the differences are left in {@code build/references}. What is right now becomes the reference by
+ * {@code ant test-single -Dtest.includes=upnatray/ReferenceImagesTest.java -Dtest.jvmargs="-ea -Dtest.references=write"};
+ * look at the pictures before committing them.
  */
 class ReferenceImagesTest {
 
@@ -127,7 +127,8 @@ class ReferenceImagesTest {
     final Scene scene = SceneReader.read(SCENES.resolve(name + ".xml")).scene().orElseThrow();
     final Image image = new Image(70, 50, scene.background());
     for (final Shading shading : List.of(Shading.PLAIN, Shading.FACING)) {
-      final int[] expected = SingleRays.pixels(scene.objects(), scene.camera(), 70, 50, scene.background().getRGB(), shading);
+      final int[] expected = SingleRays.pixels(
+          scene.objects(), scene.camera(), 70, 50, scene.background().getRGB(), shading);
       assertTrue(image.synthesis(scene.objects(), scene.camera(), Rendering.STANDARD.withThreads(3).withShading(shading)));
       assertArrayEquals(expected, ImageTest.pixels(image));
     }

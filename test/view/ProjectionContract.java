@@ -27,7 +27,7 @@ interface ProjectionContract {
   record Optics(Projection projection, double w, double h, Formula formula) {
   }
 
-  /** The ray through a point of the window, in the camera's frame: three coordinates of its start, three of its direction. */
+  /** The ray through a point of the window, in the camera's frame: coordinates of its start, then of its direction. */
   interface Formula {
     /** Answers null if there is no ray, an empty array where rounding decides. */
     double[] ray(double x, double y);
