@@ -39,23 +39,18 @@ public class Angular extends Projection {
   static class AngularRayGenerator extends RayGenerator {
 
     private final Camera camera;
-    private final double[] x;
-    private final double[] y;
-    private final double rim2;
+    private final Angular projection;
 
     AngularRayGenerator(final Camera camera, final int W, final int H) {
       super(camera, W, H);
-      final Angular projection = (Angular) camera.getProjection();
       this.camera = camera;
-      this.x = projection.columnCentres(W);
-      this.y = projection.rowCentres(H);
-      this.rim2 = projection.rim2;
+      this.projection = (Angular) camera.getProjection();
     }
 
     @Override
     public Ray getRay(final int m, final int n) {
       checkPixel(m, n);
-      final double a = x[m], b = y[n], z = z(a, b);
+      final double a = projection.columnCentre(m, getWidth()), b = projection.rowCentre(n, getHeight()), z = z(a, b);
       return z < 0 ? Ray.towards(camera.eyeX(), camera.eyeY(), camera.eyeZ(),
           camera.vectorX(a, b, z), camera.vectorY(a, b, z), camera.vectorZ(a, b, z)) : Ray.NORAY;
     }
@@ -64,9 +59,11 @@ public class Angular extends Projection {
     public void fill(final RayTile tile, final int m, final int n) {
       checkTile(tile, m, n);
       final double eyeX = camera.eyeX(), eyeY = camera.eyeY(), eyeZ = camera.eyeZ();
+      final double[] x = projection.columnCentres(m, tile.columns(), getWidth());
       for (int row = 0; row < tile.rows(); row++) {
+        final double b = projection.rowCentre(n + row, getHeight());
         for (int column = 0; column < tile.columns(); column++) {
-          final double a = x[m + column], b = y[n + row], z = z(a, b);
+          final double a = x[column], z = z(a, b);
           if (z < 0) {
             tile.put(row * RayTile.SIZE + column, eyeX, eyeY, eyeZ,
                 camera.vectorX(a, b, z), camera.vectorY(a, b, z), camera.vectorZ(a, b, z));
@@ -78,7 +75,7 @@ public class Angular extends Projection {
     /** z of the cap above a point of the window; 0 outside the circle. */
     private double z(final double a, final double b) {
       final double rho2 = a * a + b * b;
-      return rho2 <= rim2 ? -Math.sqrt(1 + rim2 - rho2) : 0;
+      return rho2 <= projection.rim2 ? -Math.sqrt(1 + projection.rim2 - rho2) : 0;
     }
   }
 }

@@ -32,21 +32,19 @@ public class Orthographic extends Projection {
   static class OrthographicRayGenerator extends RayGenerator {
 
     private final Camera camera;
-    private final double[] x;
-    private final double[] y;
+    private final Projection projection;
 
     OrthographicRayGenerator(final Camera camera, final int W, final int H) {
       super(camera, W, H);
-      final Projection projection = camera.getProjection();
       this.camera = camera;
-      this.x = projection.columnCentres(W);
-      this.y = projection.rowCentres(H);
+      this.projection = camera.getProjection();
     }
 
     @Override
     public Ray getRay(final int m, final int n) {
       checkPixel(m, n);
-      return Ray.towards(camera.pointX(x[m], y[n]), camera.pointY(x[m], y[n]), camera.pointZ(x[m], y[n]),
+      final double a = projection.columnCentre(m, getWidth()), b = projection.rowCentre(n, getHeight());
+      return Ray.towards(camera.pointX(a, b), camera.pointY(a, b), camera.pointZ(a, b),
           camera.vectorX(0, 0, -1), camera.vectorY(0, 0, -1), camera.vectorZ(0, 0, -1));
     }
 
@@ -54,10 +52,11 @@ public class Orthographic extends Projection {
     public void fill(final RayTile tile, final int m, final int n) {
       checkTile(tile, m, n);
       final double dx = camera.vectorX(0, 0, -1), dy = camera.vectorY(0, 0, -1), dz = camera.vectorZ(0, 0, -1);
+      final double[] x = projection.columnCentres(m, tile.columns(), getWidth());
       for (int row = 0; row < tile.rows(); row++) {
-        final double b = y[n + row];
+        final double b = projection.rowCentre(n + row, getHeight());
         for (int column = 0; column < tile.columns(); column++) {
-          final double a = x[m + column];
+          final double a = x[column];
           tile.put(row * RayTile.SIZE + column, camera.pointX(a, b), camera.pointY(a, b), camera.pointZ(a, b), dx, dy, dz);
         }
       }

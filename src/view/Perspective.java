@@ -37,32 +37,31 @@ public class Perspective extends Projection {
   static class PerspectiveRayGenerator extends RayGenerator {
 
     private final Camera camera;
-    private final double[] x;
-    private final double[] y;
+    private final Projection projection;
 
     PerspectiveRayGenerator(final Camera camera, final int W, final int H) {
       super(camera, W, H);
-      final Projection projection = camera.getProjection();
       this.camera = camera;
-      this.x = projection.columnCentres(W);
-      this.y = projection.rowCentres(H);
+      this.projection = camera.getProjection();
     }
 
     @Override
     public Ray getRay(final int m, final int n) {
       checkPixel(m, n);
+      final double a = projection.columnCentre(m, getWidth()), b = projection.rowCentre(n, getHeight());
       return Ray.towards(camera.eyeX(), camera.eyeY(), camera.eyeZ(),
-          camera.vectorX(x[m], y[n], -1), camera.vectorY(x[m], y[n], -1), camera.vectorZ(x[m], y[n], -1));
+          camera.vectorX(a, b, -1), camera.vectorY(a, b, -1), camera.vectorZ(a, b, -1));
     }
 
     @Override
     public void fill(final RayTile tile, final int m, final int n) {
       checkTile(tile, m, n);
       final double eyeX = camera.eyeX(), eyeY = camera.eyeY(), eyeZ = camera.eyeZ();
+      final double[] x = projection.columnCentres(m, tile.columns(), getWidth());
       for (int row = 0; row < tile.rows(); row++) {
-        final double b = y[n + row];
+        final double b = projection.rowCentre(n + row, getHeight());
         for (int column = 0; column < tile.columns(); column++) {
-          final double a = x[m + column];
+          final double a = x[column];
           tile.put(row * RayTile.SIZE + column, eyeX, eyeY, eyeZ,
               camera.vectorX(a, b, -1), camera.vectorY(a, b, -1), camera.vectorZ(a, b, -1));
         }

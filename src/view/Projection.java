@@ -64,22 +64,27 @@ public abstract class Projection {
     return (float) h;
   }
 
-  /** x of the centres of the pixels of each of W columns. */
-  final double[] columnCentres(final int W) {
-    return centres(w, W);
+  /** x of the centre of the pixels of column m of W. */
+  final double columnCentre(final int m, final int W) {
+    return centre(w, W, m);
   }
 
-  /** y of the centres of the pixels of each of H rows. */
-  final double[] rowCentres(final int H) {
-    return centres(h, H);
+  /** y of the centre of the pixels of row n of H. */
+  final double rowCentre(final int n, final int H) {
+    return centre(h, H, n);
   }
 
-  private static double[] centres(final double size, final int pixels) {
-    final double[] centres = new double[pixels];
-    for (int i = 0; i < pixels; i++) {
-      centres[i] = (i + 0.5) * size / pixels - size / 2;
+  /** x of the centres of the pixels of some columns of W, from column m on. */
+  final double[] columnCentres(final int m, final int columns, final int W) {
+    final double[] centres = new double[columns];
+    for (int i = 0; i < columns; i++) {
+      centres[i] = columnCentre(m + i, W);
     }
     return centres;
+  }
+
+  private static double centre(final double size, final int pixels, final int i) {
+    return (i + 0.5) * size / pixels - size / 2;
   }
 
   /** Checks that a camera holds this projection, and answers it. */
