@@ -32,6 +32,9 @@ public class Group3D extends Object3D {
   /** Number of objects added to any group so far: while it stands still, no tree is out of date. */
   private static final AtomicLong ADDITIONS = new AtomicLong();
 
+  /** Objects are added one after the other, so that no two groups come to contain each other. */
+  private static final Object ADDING = new Object();
+
   private final List<Object3D> objects = new ArrayList<>();
   private volatile GroupMembers members;
   /** Whether it is within another object, and so can come to contain itself. */
@@ -50,7 +53,7 @@ public class Group3D extends Object3D {
    */
   public void addObject(final Object3D obj) {
     notNull("obj", obj);
-    synchronized (ADDITIONS) {
+    synchronized (ADDING) {
       if (obj == this || isPart && contains(obj, this)) {
         throw wrong("cycle");
       }

@@ -10,4 +10,9 @@ import java.util.Optional;
  * @param problems errors and warnings, in the order of the file; those of a mesh stand where the scene names it
  */
 public record Reading(Optional<Scene> scene, List<Problem> problems) {
+
+  /** Copies the list. */
+  public Reading {
+    problems = List.copyOf(problems);
+  }
 }

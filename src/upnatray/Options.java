@@ -6,6 +6,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.StringJoiner;
 
 /**
@@ -136,9 +137,9 @@ final class Options {
     }
   }
 
-  /** The file to which the picture of a scene goes. */
+  /** The file to which the picture of a scene goes. The root of a file system has no name: that it is no scene is told later. */
   Path target(final Path scene) throws UsageException {
-    final String file = scene.getFileName().toString();
+    final String file = Objects.toString(scene.getFileName(), "");
     final String name = (file.endsWith(".xml") ? file.substring(0, file.length() - 4) : file) + ".png";
     if (output == null) {
       return Path.of("images", name);

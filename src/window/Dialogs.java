@@ -7,6 +7,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Optional;
 
 import javax.swing.JButton;
@@ -52,7 +53,7 @@ final class Dialogs {
 
   private String pictureName() {
     final Path scene = window.file();
-    final String name = scene == null ? "picture" : scene.getFileName().toString().replaceFirst("\\.xml$", "");
+    final String name = scene == null ? "picture" : Objects.toString(scene.getFileName(), "").replaceFirst("\\.xml$", "");
     return name + ".png";
   }
 

@@ -36,7 +36,7 @@ final class PictureView extends Drawing {
     void pinned(Point pixel);
   }
 
-  private final PixelListener listener;
+  private final transient PixelListener listener;
   private transient BufferedImage picture = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB);
   private transient BufferedImage overlay;
   private transient Zoom zoom = new Zoom(1, 0, 0);

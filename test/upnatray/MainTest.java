@@ -75,11 +75,11 @@ class MainTest {
 
   @Test
   void aBadSceneDoesNotStopTheOthers() throws Exception {
-    final CommandLine.Result result = program.run("bad.xml", "none.xml", "ball.xml", "-o", "out");
+    final Path root = folder.getRoot();
+    final CommandLine.Result result = program.run("bad.xml", "none.xml", root.toString(), "ball.xml", "-o", "out");
     assertEquals(1, result.status());
-    assertEquals("bad.xml:2:14: `W` is out of range: found `0`, expected a whole number, W >= 1\nnone.xml: there is "
-        + "no such file\n",
-        result.err());
+    assertEquals("bad.xml:2:14: `W` is out of range: found `0`, expected a whole number, W >= 1\n"
+        + "none.xml: there is no such file\n" + root + ": this is a folder, not a scene file\n", result.err());
     assertEquals(List.of("ball.png"), files("out"));
   }
 
