@@ -116,23 +116,26 @@ final class Fuzz implements AutoCloseable {
     if (sound == problems.stream().anyMatch(Problem::isError)) {
       return "sound: " + sound + ", but " + problems;
     }
-    return problems.stream().map(problem -> ofProblem(problem, file, bytes)).filter(Objects::nonNull)
+    final String[] lines = startsAsZip(bytes) ? null : lines(file, bytes);
+    return problems.stream().map(problem -> ofProblem(problem, file, lines)).filter(Objects::nonNull)
         .findFirst().orElse(null);
   }
 
-  private static String ofProblem(final Problem problem, final Path file, final byte[] bytes) {
+  private static String[] lines(final Path file, final byte[] bytes) {
+    final String text = file.toString().endsWith(".xml") ? Decoding.of(bytes).text()
+        : new String(bytes, StandardCharsets.ISO_8859_1);
+    return text.split("\r\n|\r|\n", -1);
+  }
+
+  private static String ofProblem(final Problem problem, final Path file, final String[] lines) {
     final String message = problem.message();
     if (message.isBlank() || message.length() > LONGEST_MESSAGE || message.lines().count() != 1) {
       return "message: " + message;
     }
-    return problem.file().equals(file.toString()) && !startsAsZip(bytes) && !isWithin(problem, file, bytes)
-        ? "place: " + problem : null;
+    return lines != null && problem.file().equals(file.toString()) && !isWithin(problem, lines) ? "place: " + problem : null;
   }
 
-  private static boolean isWithin(final Problem problem, final Path file, final byte[] bytes) {
-    final String text = file.toString().endsWith(".xml") ? Decoding.of(bytes).text()
-        : new String(bytes, StandardCharsets.ISO_8859_1);
-    final String[] lines = text.split("\r\n|\r|\n", -1);
+  private static boolean isWithin(final Problem problem, final String[] lines) {
     return problem.line() >= 1 && problem.line() <= lines.length && problem.column() >= 1
         && problem.column() <= lines[problem.line() - 1].length() + 1;
   }
