@@ -11,7 +11,12 @@ import java.util.Optional;
  */
 public record Reading(Optional<Scene> scene, List<Problem> problems) {
 
-  /** Copies the list. */
+  /**
+   * Copies the list.
+   *
+   * @param scene the scene; empty if there is an error
+   * @param problems errors and warnings
+   */
   public Reading {
     problems = List.copyOf(problems);
   }
