@@ -22,6 +22,24 @@ final class Culprit {
 
   /** What to throw for the failure of a tile: an explanation with the failure as its cause, or else the failure itself. */
   RuntimeException explain(final RuntimeException failure, final int m, final int n, final int width, final int height) {
+    final IllegalStateException explanation = explanation(failure, m, n, width, height);
+    return explanation == null ? failure : explanation;
+  }
+
+  /** What to throw for a full stack: an object that calls itself without end, or else objects within too many others. */
+  IllegalStateException explain(final StackOverflowError failure, final int m, final int n, final int width,
+      final int height) {
+    IllegalStateException explanation = null;
+    try {
+      explanation = explanation(failure, m, n, width, height);
+    } catch (StackOverflowError tooDeepForThisToo) {
+      // The explanation below holds all the more.
+    }
+    return explanation == null ? new IllegalStateException(Messages.text("tooDeep"), failure) : explanation;
+  }
+
+  private IllegalStateException explanation(final Throwable failure, final int m, final int n, final int width,
+      final int height) {
     for (int row = n; row < n + height; row++) {
       for (int column = m; column < m + width; column++) {
         final Ray ray = rayOf(column, row);
@@ -32,7 +50,7 @@ final class Culprit {
         }
       }
     }
-    return failure;
+    return null;
   }
 
   private Ray rayOf(final int m, final int n) {
@@ -59,7 +77,7 @@ final class Culprit {
     }
     try {
       return object.intersectionWith(ray) == null ? object : null;
-    } catch (RuntimeException itFails) {
+    } catch (RuntimeException | StackOverflowError itFails) {
       return object;
     }
   }

@@ -91,6 +91,8 @@ final class Synthesis {
       scene.closestHits(rays, hits);
     } catch (RuntimeException e) {
       throw new Culprit(scene, generator).explain(e, m, n, width, height);
+    } catch (StackOverflowError e) {
+      throw new Culprit(scene, generator).explain(e, m, n, width, height);
     }
     for (int row = 0; row < height; row++) {
       paint(hits, row * RayTile.SIZE, width, (H - 1 - n - row) * W + m);

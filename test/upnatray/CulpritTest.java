@@ -81,4 +81,37 @@ class CulpritTest {
     assertTrue(messageOf(new Broken(null)).getMessage().contains("Broken.intersectionWith failed at pixel (15, 10)"),
         messageOf(new Broken(null)).getMessage());
   }
+
+  /** The classic among the errors that students make. */
+  private static final class Endless extends Object3D {
+
+    Endless() {
+      super(Color.RED);
+    }
+
+    @Override
+    public Hit intersectionWith(final Ray ray) {
+      return intersectionWith(ray);
+    }
+  }
+
+  @Test
+  void namesTheObjectThatCallsItselfWithoutEnd() {
+    final IllegalStateException told = messageOf(new Endless());
+    assertTrue(told.getMessage().startsWith("upnatray.CulpritTest$Endless.intersectionWith failed at pixel"),
+        told.getMessage());
+    assertSame(StackOverflowError.class, told.getCause().getClass());
+  }
+
+  @Test
+  void tellsOfTooManyTransformationsWithinEachOther() {
+    Object3D object = new Sphere(new Point3D(), 1, Color.RED);
+    for (int i = 0; i < 4_000; i++) {
+      final Group3D group = new Group3D();
+      group.addObject(object);
+      object = new AffineTransformation(new Vector3f(1, 1, 1), new Vector3f(), group);
+    }
+    final String message = messageOf(object).getMessage();
+    assertTrue(message.startsWith("objects lie within too many transformations"), message);
+  }
 }
