@@ -73,7 +73,7 @@ public final class FishEye extends Projection {
     if (!(fov > 0 && fov <= 180)) {
       throw new IllegalArgumentException(Messages.text("fishEye", fov));
     }
-    return 2 * Math.sin(Math.toRadians(fov) / 2);
+    return 2 * StrictMath.sin(Math.toRadians(fov) / 2);
   }
 
   @Override

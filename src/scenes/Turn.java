@@ -73,7 +73,7 @@ final class Turn {
       default -> new double[] {m.m10 - m.m01, m.m02 + m.m20, m.m21 + m.m12, squares[3]};
     };
     final double sine = Math.sqrt(q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-    final double degrees = Math.toDegrees(2 * Math.atan2(sine, q[0]));
+    final double degrees = Math.toDegrees(2 * StrictMath.atan2(sine, q[0]));
     if ((float) degrees == 0) {
       return NONE;
     }

@@ -27,7 +27,7 @@ public class Angular extends Projection {
   }
 
   private static double rim(final float omega) {
-    return Math.tan(Math.toRadians(between("omega", 0, 180, omega)) / 2);
+    return StrictMath.tan(Math.toRadians(between("omega", 0, 180, omega)) / 2);
   }
 
   @Override

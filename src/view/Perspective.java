@@ -25,7 +25,7 @@ public class Perspective extends Projection {
   }
 
   private static double height(final float fov) {
-    return 2 * Math.tan(Math.toRadians(between("fov", 0, 180, fov)) / 2);
+    return 2 * StrictMath.tan(Math.toRadians(between("fov", 0, 180, fov)) / 2);
   }
 
   @Override
