@@ -1,8 +1,8 @@
 package acceleration;
 
 /**
- * A bounding volume hierarchy: a binary tree of boxes over numbered things, to find those that a ray may meet without looking
- * at all of them. Immutable, safe for use by several threads.
+ * A bounding volume hierarchy: a binary tree of boxes over numbered things, to find those that a ray may meet without
+ * looking at all of them. Immutable, safe for use by several threads.
  *
  * <p>An inner node holds the boxes of its two children side by side in one array of floats, 12 of them, so that one visit
  * touches one place in memory, and two links in an array of ints. A link that is not negative is the number of an inner
@@ -130,8 +130,8 @@ public final class Bvh {
   }
 
   /**
-   * Visits the leaves that the rays of a tile may meet, the nearer child of a node first. A thing in a leaf may have a tree of
-   * its own and ask it with the same frustum.
+   * Visits the leaves that the rays of a tile may meet, the nearer child of a node first. A thing in a leaf may have a tree
+   * of its own and ask it with the same frustum.
    *
    * @param frustum the frustum of the tile, which must be fitted
    * @param leaves whoever owns the things

@@ -6,14 +6,14 @@ import primitives.BoundingBox;
  * The pyramid or prism that encloses the rays of a tile, and the projection of space onto the tile's pixels.
  *
  * <p>Found from the rays alone, whatever camera made them. If they share a start, their slopes about the mean direction are
- * nearly a regular grid (a pyramid); if they share a direction, their starts are (a prism). A grid is fitted, and how far the
- * rays stray from it, in pixels, is kept as a margin: each ray is projected to within the margin of its own column and row. So
- * all answers are conservative: what a ray of the tile can meet is never said to be outside. Rays that share neither start
- * nor direction are not fitted.
+ * nearly a regular grid (a pyramid); if they share a direction, their starts are (a prism). A grid is fitted, and how far
+ * the rays stray from it, in pixels, is kept as a margin: each ray is projected to within the margin of its own column and
+ * row. So all answers are conservative: what a ray of the tile can meet is never said to be outside. Rays that share neither
+ * start nor direction are not fitted.
  *
  * <p>The projection is homogeneous: with V = P − O, column = (C·V + c) / (D·V + d) and the same for the row, where
- * D·V + d is the depth in a pyramid and 1 in a prism. Enclosing rays by planes to trace them together is the idea of Reshetov,
- * Soupikov and Hurley, "Multi-Level Ray Tracing Algorithm", SIGGRAPH 2005.
+ * D·V + d is the depth in a pyramid and 1 in a prism. Enclosing rays by planes to trace them together is the idea of
+ * Reshetov, Soupikov and Hurley, "Multi-Level Ray Tracing Algorithm", SIGGRAPH 2005.
  */
 public final class TileFrustum {
 
@@ -244,8 +244,8 @@ public final class TileFrustum {
    * @param cz third coordinate of the third vertex
    * @return whether there are any; if so, {@link #firstColumn} and its kin tell which
    */
-  public boolean project(final double ax, final double ay, final double az, final double bx, final double by, final double bz,
-      final double cx, final double cy, final double cz) {
+  public boolean project(final double ax, final double ay, final double az,
+      final double bx, final double by, final double bz, final double cx, final double cy, final double cz) {
     final double a = depthX * ax + depthY * ay + depthZ * az + depthAt;
     final double b = depthX * bx + depthY * by + depthZ * bz + depthAt;
     final double c = depthX * cx + depthY * cy + depthZ * cz + depthAt;

@@ -30,8 +30,8 @@ final class Mutations {
   /** Name of the mesh that the scenes refer to, in their own folder. */
   static final String MESH_FILE = "mesh.obj";
 
-  static final String MESH = "# a square and more\nv 0 0 0\nv 1 0 0 1 1 1\nv 1 1 0\r\nv 0 1 1e-3\nvn 0 0 1\nvt 0 0\nf 1 2 3 4\n"
-      + "f 1//1 2//1 3//1\nf -4/1 -3/1 \\\n -1/1\ng group\nf 2/1/1 3/1/1 4/1/1\n";
+  static final String MESH = "# a square and more\nv 0 0 0\nv 1 0 0 1 1 1\nv 1 1 0\r\nv 0 1 1e-3\nvn 0 0 1\nvt 0 0\n"
+      + "f 1 2 3 4\nf 1//1 2//1 3//1\nf -4/1 -3/1 \\\n -1/1\ng group\nf 2/1/1 3/1/1 4/1/1\n";
 
   private static final int LONGEST_SCENE = 20_000;
 
