@@ -18,11 +18,14 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * An object scaled, then rotated, then moved: p goes to T·R·S·p.
+ * An object scaled, then rotated, then moved: p goes to M p = T·R·S·p.
  *
- * <p>The ray is taken to the object's frame by the inverse, where its direction has some length k; it is brought to unit
- * length, and the t found is divided by k. The normal goes back by the inverse transpose. Distance, point and normal of a
- * hit are those of the scene; its object is the one that was met.
+ * <p><img src="doc-files/AffineTransformation.png" width="320" height="240" alt="A torus that was stretched and turned">
+ *
+ * <p>The ray is taken to the object's frame by the inverse, where its direction has some length k = |M⁻¹ v|; it is brought
+ * to unit length, and the t found is divided by k. The normal goes back by the inverse transpose, as M itself would tilt it
+ * (Turkowski, "Properties of surface-normal transformations", Graphics Gems, 1990). Distance, point and normal of a hit are
+ * those of the scene; its object is the one that was met.
  */
 public class AffineTransformation extends Object3D {
 

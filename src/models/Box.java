@@ -15,9 +15,13 @@ import tracer.Ray;
  * A rectangular box: the points C + a i + b j + c k with |a| ≤ w/2, |b| ≤ h/2, |c| ≤ d/2, where i is the
  * horizontal axis, k = i × aux normalised and j = k × i the vertical axis.
  *
- * <p>The ray is taken into the box's frame and cut with three slabs (Kay and Kajiya, "Ray tracing complex scenes",
- * SIGGRAPH 1986); a ray parallel to a slab has a branch of its own, since 0 · ∞ is NaN. The face of a hit is the one
- * that its point is closest to; the point is put back on it.
+ * <p><img src="doc-files/Box.png" width="320" height="240" alt="A box">
+ *
+ * <p>The ray is taken into the box's frame and cut with three slabs: along i it is inside from t = (−w/2 − x) / dx to t =
+ * (w/2 − x) / dx, or the other way round, if x and dx are start and direction along i, and so along j and k; it is in the
+ * box while it is within all three. Source: Kay and Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986. A ray parallel to
+ * a slab has a branch of its own, since 0 · ∞ is NaN. The face of a hit is the one that its point is closest to; the point
+ * is put back on it.
  */
 public class Box extends Object3D {
 

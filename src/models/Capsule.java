@@ -15,10 +15,12 @@ import tracer.Ray;
  * A capsule: the points no farther than r from a segment of length l about P, which is a cylinder with hemispheres
  * outside both its ends.
  *
- * <p>A line that enters the cylinder without end beside the segment enters the capsule there; one that enters beyond
- * an end can do so only through the sphere of that end; and the same for leaving. The normal points from the closest
- * point of the segment. Source: the capsule is a sphere swept along a segment, Ericson, "Real-Time Collision
- * Detection", 2005, §5.3.
+ * <p><img src="doc-files/Capsule.png" width="320" height="240" alt="A capsule, and its axis">
+ *
+ * <p>A line that enters the cylinder without end beside the segment enters the capsule there; one that enters beyond an end
+ * can do so only through the sphere of that end; and the same for leaving. These are the quadratics of {@link Cylinder} and
+ * {@link Sphere}. The normal points from the closest point of the segment. Source: the capsule is a sphere swept along a
+ * segment, Ericson, "Real-Time Collision Detection", 2005, §5.3.
  */
 public class Capsule extends Object3D {
 

@@ -15,10 +15,12 @@ import tracer.Ray;
  * A solid cylinder, closed by two flat discs: the points no farther than r from the axis and no farther than l/2 along
  * it from the middle P.
  *
- * <p>The ray is cut with the cylinder without end and with the slab between the discs; the hit is where the two
+ * <p><img src="doc-files/Cylinder.png" width="320" height="240" alt="A cylinder, and its axis">
+ *
+ * <p>The ray is cut with the cylinder without end, |R′ + t v′|² = r², where R′ and v′ are what R − P and v have
+ * perpendicular to the axis u, and with the slab between the discs, |(R − P)·u + t v·u| = l/2; the hit is where the two
  * intervals first overlap. Whether it lies on the side or on a disc is told by which of them its point is closest to, and
- * there it is put back.
- * Source: Cychosz and Waggenspack, "Intersecting a Ray with a Cylinder", Graphics Gems IV, 1994.
+ * there it is put back. Source: Cychosz and Waggenspack, "Intersecting a Ray with a Cylinder", Graphics Gems IV, 1994.
  */
 public class Cylinder extends Object3D {
 

@@ -16,6 +16,8 @@ import tracer.Ray;
  * An ellipsoid: the points C + a i + b j + c k with (a/Rx)² + (b/Ry)² + (c/Rz)² ≤ 1, where i is the horizontal axis,
  * k = i × aux normalised and j = k × i the vertical axis.
  *
+ * <p><img src="doc-files/Ellipsoid.png" width="320" height="240" alt="An ellipsoid">
+ *
  * <p>For the point q = (a/Rx, b/Ry, c/Rz) let κ = |q|, which is less than 1 inside and more than 1 outside. {@link #SDF}
  * is a bound of the distance, whose ratio to the distance goes to 1 on the way to the surface:
  * <ul>

@@ -21,6 +21,8 @@ import tracer.Ray;
 /**
  * A group of objects, which is an object itself: the way to put a scene together.
  *
+ * <p><img src="doc-files/Group3D.png" width="320" height="240" alt="A group of a sphere, a box, and a torus">
+ *
  * <p>Its answer to a ray is the closest hit of its objects; of two at the same distance, that of the object added first.
  * Instead of asking all of them it keeps a tree of their boxes ({@link acceleration.Bvh}), which is made at the
  * first question after an {@link #addObject} to it or to a group within it; the answers are the same. Groups within a group

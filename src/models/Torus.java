@@ -16,11 +16,16 @@ import tracer.Ray;
  * A torus: the points no farther than r from a circle of radius R, the ring, about C in the plane perpendicular to the
  * axis. With r ≥ R it is a solid without a hole, and only its outer surface counts.
  *
+ * <p><img src="doc-files/Torus.png" width="320" height="240" alt="A torus, and its axis">
+ *
  * <p>For a point at height h over the ring's plane and at distance ρ from the axis, the squared distance to the ring is
  * D² = (ρ − R)² + h², and {@link #SDF} is D − r: the exact distance, except inside a torus with r &gt; R, where it is a
  * bound.
  *
- * <p>The march is sphere tracing whose steps know the direction of the ray: see {@link TorusMarch}.
+ * <p>The march is sphere tracing whose steps know the direction of the ray: they end where it meets a quadric that has the
+ * torus on its other side and touches it, not at a sphere that is known to be empty ({@code TorusMarch} derives it). Source
+ * of the scheme: Hart, "Sphere tracing: a geometric method for the antialiased ray tracing of implicit surfaces", The
+ * Visual Computer 12, 1996.
  */
 public class Torus extends ProceduralObject3D {
 

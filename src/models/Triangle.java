@@ -15,7 +15,12 @@ import tracer.Ray;
  * A triangle, met from both sides. Its normal is (B − A) × (C − A): the vertices A, B, C appear counter-clockwise to
  * whoever it points at.
  *
- * <p>The intersection test lets no ray pass between triangles that share an edge or a vertex; see {@code EdgeTest}.
+ * <p><img src="doc-files/Triangle.png" width="320" height="240" alt="A triangle, and its normal">
+ *
+ * <p>With the vertices counted from the start of the ray, it is met if no two of v·(B × C), v·(C × A) and v·(A × B) differ
+ * in sign, at t = A·n / (v·n), where n = (B − A) × (C − A). No ray passes between triangles that share an edge or a vertex:
+ * {@code EdgeTest} computes the signs so. Sources: Segura and Feito, "Algorithms to test ray-triangle intersection", WSCG
+ * 2001; Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
  */
 public class Triangle extends Object3D {
 

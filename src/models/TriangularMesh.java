@@ -20,9 +20,12 @@ import tracer.Ray;
 /**
  * A surface made of triangles.
  *
+ * <p><img src="doc-files/TriangularMesh.png" width="320" height="240" alt="A mesh of eight triangles">
+ *
  * <p>A mesh is kept as arrays, three floats for each vertex and three vertex numbers for each triangle, with a tree of the
- * triangles' boxes ({@link acceleration.Bvh}); a {@link Triangle} object is made when one is asked for or hit. A closed mesh
- * has no cracks: no ray passes between two triangles that share an edge or a vertex. Facets without area are left out.
+ * triangles' boxes ({@link acceleration.Bvh}); a {@link Triangle} object is made when one is asked for or hit. A closed
+ * mesh has no cracks: no ray passes between two triangles that share an edge or a vertex. Facets without area are left out.
+ * Each triangle is met as {@link Triangle} says.
  */
 public class TriangularMesh extends Object3D {
 

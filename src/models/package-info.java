@@ -2,6 +2,15 @@
  * Objects that rays can meet: shapes, meshes, groups, and transformed objects. The contract of an intersection is in
  * {@link models.Object3D}; frames, units and signs are in {@link primitives}.
  *
+ * <p><a href="Sphere.html"><img src="doc-files/Sphere.png" width="160" height="120" alt="Sphere"></a>
+ * <a href="Plane.html"><img src="doc-files/Plane.png" width="160" height="120" alt="Plane"></a>
+ * <a href="Triangle.html"><img src="doc-files/Triangle.png" width="160" height="120" alt="Triangle"></a>
+ * <a href="Box.html"><img src="doc-files/Box.png" width="160" height="120" alt="Box"></a>
+ * <a href="Cylinder.html"><img src="doc-files/Cylinder.png" width="160" height="120" alt="Cylinder"></a>
+ * <a href="Capsule.html"><img src="doc-files/Capsule.png" width="160" height="120" alt="Capsule"></a>
+ * <a href="Torus.html"><img src="doc-files/Torus.png" width="160" height="120" alt="Torus"></a>
+ * <a href="Ellipsoid.html"><img src="doc-files/Ellipsoid.png" width="160" height="120" alt="Ellipsoid"></a>
+ *
  * <h2>How to add a shape</h2>
  * <p>Extend {@link models.Object3D}, give the colour to its constructor, and write {@code intersectionWith}: the hit of
  * smallest t &gt; 0 with the outward unit normal, or {@link tracer.Hit#NOHIT}. That is all; such an object works in groups,

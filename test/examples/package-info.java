@@ -1,5 +1,6 @@
 /**
- * The programs that wrote the larger files of the folder {@code scenes}: meshes, and scenes of hundreds of objects.
+ * The programs that wrote the larger files of the folder {@code scenes}: meshes, and scenes of hundreds of objects;
+ * and {@link examples.ShapePictures}, which draws for the documentation.
  *
  * <p>{@link examples.ExamplesTest} holds each file against what its program writes. To change a file, change its program,
  * and let the test write it:
