@@ -123,7 +123,8 @@ public final class ShapePictures {
   }
 
   private static Object3D triangle() {
-    return new Triangle(new Point3D(-1.4f, -0.9f, 0.4f), new Point3D(1.4f, -0.9f, 0.4f), new Point3D(0, 1.1f, -0.5f), YELLOW);
+    final Point3D left = new Point3D(-1.4f, -0.9f, 0.4f), right = new Point3D(1.4f, -0.9f, 0.4f);
+    return new Triangle(left, right, new Point3D(0, 1.1f, -0.5f), YELLOW);
   }
 
   private static Object3D octahedron() {

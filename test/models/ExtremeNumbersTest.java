@@ -40,8 +40,8 @@ import view.Projection;
 
 /**
  * Whatever numbers the public constructors and methods of the library are called with, from 1e-30 to 1e30, infinite or
- * none, they answer or throw an IllegalArgumentException (or IllegalStateException, of an object that is not ready); no call hangs,
- * and no hit holds NaN.
+ * none, they answer or throw an IllegalArgumentException (or IllegalStateException, of an object that is not ready); no
+ * call hangs, and no hit holds NaN.
  */
 class ExtremeNumbersTest {
 
