@@ -137,7 +137,7 @@ final class Options {
     }
   }
 
-  /** The file to which the picture of a scene goes. The root of a file system has no name: that it is no scene is told later. */
+  /** The file to which the picture of a scene goes. A root has no name; that it is no scene is told later. */
   Path target(final Path scene) throws UsageException {
     final String file = Objects.toString(scene.getFileName(), "");
     final String name = (file.endsWith(".xml") ? file.substring(0, file.length() - 4) : file) + ".png";
