@@ -78,6 +78,18 @@ class ReadmeExamplesTest {
     }
   }
 
+  @Test
+  void theShapeOfOnesOwnIsInThePictureOfTheFirstProgram() throws Exception {
+    final List<String> calls = new Document("README.md").all("`(scene\\.addObject[^`]+;)`");
+    assertEquals(1, calls.size());
+    final Compilation compilation = new Compilation(folder).add("Disc.java", source("Disc"))
+        .add("First.java", source("First").replace("    Camera camera", calls.get(0) + "\n    Camera camera"));
+    compilation.succeeds();
+    assertEquals("", compilation.run("First"));
+    final Color low = new Color(ImageIO.read(folder.resolve("first.png").toFile()).getRGB(300, 360));
+    assertTrue(low.getRed() > low.getGreen() && low.getGreen() == low.getBlue(), "the pink disc, not " + low);
+  }
+
   /** A block without a class of its own is what is written into the disc. */
   @Test
   void everyBlockCompiles() throws IOException {

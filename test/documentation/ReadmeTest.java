@@ -47,6 +47,16 @@ class ReadmeTest {
   }
 
   @Test
+  void linksOfTheOtherDocumentsLeadToFiles() throws IOException {
+    for (final String name : List.of("LEEME.md", "CONTRIBUTING.md", "doc/architecture.md", "doc/performance.md")) {
+      final Path folder = Path.of(name).toAbsolutePath().getParent();
+      for (final String link : new Document(name).all("\\]\\(([^)#:]+)\\)")) {
+        assertTrue(Files.isRegularFile(folder.resolve(link)), name + ": " + link);
+      }
+    }
+  }
+
+  @Test
   void galleryShowsEachSceneOnce() throws IOException {
     final List<String> rows = readme.all(
         "^\\| !\\[\\w+\\]\\(doc/gallery/(\\w+)\\.png\\) \\| \\[\\1\\.xml\\]\\(scenes/\\1\\.xml\\): .+\\.");
@@ -68,6 +78,11 @@ class ReadmeTest {
     final String install = "apt-get update && apt-get install -y ant ant-optional ivy && ";
     assertEquals(List.of(install + "./UPNaTRay scenes/shapes.xml --no-window\n", install + "ant test\n"),
         readme.blocks("sh"));
+  }
+
+  @Test
+  void theSpanishCounterpartGivesTheFirstOfThem() throws IOException {
+    assertEquals(readme.blocks("sh").subList(0, 1), new Document("LEEME.md").blocks("sh"));
   }
 
   /** In English, whatever language the tests run in. */
