@@ -3,6 +3,8 @@ package window;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Rectangle;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 
 import javax.swing.JComponent;
 import javax.swing.JFrame;
@@ -22,7 +24,27 @@ final class Arrangement {
     picture.add(view, BorderLayout.CENTER);
     picture.add(legend, BorderLayout.EAST);
     picture.setMinimumSize(new Dimension(200, 150));
-    return split(JSplitPane.HORIZONTAL_SPLIT, split(JSplitPane.VERTICAL_SPLIT, picture, problems), inspector);
+    return split(JSplitPane.HORIZONTAL_SPLIT, whenNeeded(picture, problems), inspector);
+  }
+
+  /** The problems get their room when there are some, and give it back. */
+  private static JSplitPane whenNeeded(final JComponent picture, final JComponent problems) {
+    final JSplitPane split = split(JSplitPane.VERTICAL_SPLIT, picture, problems);
+    final int divider = split.getDividerSize();
+    split.setDividerSize(0);
+    problems.addComponentListener(new ComponentAdapter() {
+      @Override
+      public void componentShown(final ComponentEvent event) {
+        split.setDividerSize(divider);
+        split.resetToPreferredSizes();
+      }
+
+      @Override
+      public void componentHidden(final ComponentEvent event) {
+        split.setDividerSize(0);
+      }
+    });
+    return split;
   }
 
   private static JSplitPane split(final int direction, final JComponent one, final JComponent other) {

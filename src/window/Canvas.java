@@ -1,26 +1,30 @@
 package window;
 
+import java.awt.AlphaComposite;
+import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
-import java.awt.image.Raster;
 
 import upnatray.Progress;
 
 /**
- * The picture that is shown while another is rendered: at first the one before, if it has the same size, or transparent;
- * each tile that is done takes its place.
+ * The picture that is shown while it is rendered: at first it looks like the one before, if that has the same size, or is
+ * transparent. Rendering writes every pixel once; so there is no need of a copy, which would take time.
  */
 final class Canvas implements Progress {
 
-  private final BufferedImage rendered;
   private final BufferedImage picture;
   private final Rectangle changed = new Rectangle();
 
-  Canvas(final BufferedImage rendered, final BufferedImage before) {
-    this.rendered = rendered;
-    this.picture = new BufferedImage(rendered.getWidth(), rendered.getHeight(), BufferedImage.TYPE_INT_ARGB);
-    if (before != null && before.getWidth() == rendered.getWidth() && before.getHeight() == rendered.getHeight()) {
-      picture.setData(before.getRaster());
+  Canvas(final BufferedImage toBeRendered, final BufferedImage before) {
+    this.picture = toBeRendered;
+    if (before != null && before.getWidth() == picture.getWidth() && before.getHeight() == picture.getHeight()) {
+      picture.getRaster().setDataElements(0, 0, before.getRaster());
+    } else {
+      final Graphics2D g = picture.createGraphics();
+      g.setComposite(AlphaComposite.Clear);
+      g.fillRect(0, 0, picture.getWidth(), picture.getHeight());
+      g.dispose();
     }
   }
 
@@ -30,8 +34,6 @@ final class Canvas implements Progress {
 
   @Override
   public boolean tileDone(final int x, final int y, final int width, final int height) {
-    final Raster tile = rendered.getRaster().createChild(x, y, width, height, x, y, null);
-    picture.getRaster().setDataElements(0, 0, tile);
     synchronized (changed) {
       if (changed.isEmpty()) {
         changed.setBounds(x, y, width, height);

@@ -22,8 +22,8 @@ import inspection.Difference;
 import inspection.Inspection;
 import inspection.Meeting;
 import inspection.Outline;
-import scenes.Scene;
 import tracer.Hit;
+import upnatray.RenderJob;
 
 /** What opens beside the window: choosers of files, the comparison with a reference, the scene from outside. */
 final class Dialogs {
@@ -52,7 +52,7 @@ final class Dialogs {
   }
 
   private String pictureName() {
-    final Path scene = window.file();
+    final Path scene = window.session().file();
     final String name = scene == null ? "picture" : Objects.toString(scene.getFileName(), "").replaceFirst("\\.xml$", "");
     return name + ".png";
   }
@@ -170,8 +170,8 @@ final class Dialogs {
   }
 
   /** Opens the scene from outside. */
-  void showOutside(final Scene scene, final int W, final int H) {
-    outside.setLines(Outline.of(scene, W, H));
+  void showOutside(final RenderJob job) {
+    outside.setLines(Outline.of(job.scene(), job.image().getWidth(), job.image().getHeight()));
     if (outsideDialog == null) {
       outsideDialog = new JDialog(window.frame(), Messages.text("outside.text"));
       outsideDialog.setName("outsideDialog");
@@ -191,10 +191,11 @@ final class Dialogs {
   }
 
   /** Shows the ray of the pinned pixel in the scene from outside, if that is open. */
-  void showRay(final Scene scene, final int W, final int H, final Inspection inspection) {
+  void showRay(final RenderJob job, final Inspection inspection) {
     if (outsideDialog != null && outsideDialog.isVisible()) {
       final Hit hit = inspection.winner().map(Meeting::hit).orElse(Hit.NOHIT);
-      outside.setLines(Outline.of(scene, W, H, inspection.pixel().ray(), hit));
+      outside.setLines(Outline.of(job.scene(), job.image().getWidth(), job.image().getHeight(), inspection.pixel().ray(),
+          hit));
     }
   }
 

@@ -80,6 +80,12 @@ final class InspectorPanel extends JPanel {
     plot.setMarch(null);
   }
 
+  /** Shows why there is nothing to show yet. */
+  void showWaiting(final String why) {
+    clear();
+    heading.setText(why);
+  }
+
   void show(final Inspection next) {
     inspection = next;
     final DefaultMutableTreeNode root = InspectionTree.of(next);

@@ -79,7 +79,7 @@ final class MenuBar extends JMenuBar {
     for (final View what : View.values()) {
       final JMenuItem item = new JRadioButtonMenuItem(
           Command.of("view." + what, "alt " + (what.ordinal() + 1), () -> window.setWhat(what)));
-      item.setSelected(what == window.what());
+      item.setSelected(what == window.session().view());
       group.add(item);
       views.put(what, menu.add(item));
     }

@@ -1,30 +1,21 @@
 package window;
 
-import java.awt.BasicStroke;
-import java.awt.Color;
 import java.awt.Cursor;
 import java.awt.Dimension;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Graphics;
 import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.RenderingHints;
-import java.awt.TexturePaint;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
-import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 
 /** Shows a picture at any zoom: a checkerboard where it is transparent, a grid between large pixels, a pinned pixel. */
 final class PictureView extends Drawing {
 
   private static final long serialVersionUID = 1L;
-
-  /** Size of a pixel, in dots of the screen, from which on there is a grid. */
-  private static final double GRID_FROM = 8;
-
-  private static final int SQUARE = 8;
-  private static final Color GRID = new Color(128, 128, 128, 110);
 
   /** Is told what the user points at; pixels count from the upper left corner. */
   interface PixelListener {
@@ -39,11 +30,13 @@ final class PictureView extends Drawing {
   private final transient PixelListener listener;
   private transient BufferedImage picture = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB);
   private transient BufferedImage overlay;
+  private transient BufferedImage dots;
   private transient Zoom zoom = new Zoom(1, 0, 0);
-  private transient TexturePaint checkerboard;
   private boolean fitting = true;
   private boolean hasPicture;
+  private boolean filling;
   private Point pinned;
+  private double secondsToPaint;
 
   PictureView(final PixelListener listener) {
     super("picture.name");
@@ -58,6 +51,19 @@ final class PictureView extends Drawing {
     addMouseListener(mouse);
     addMouseMotionListener(mouse);
     addMouseWheelListener(mouse);
+    addComponentListener(new ComponentAdapter() {
+      @Override
+      public void componentResized(final ComponentEvent event) {
+        changed();
+      }
+    });
+  }
+
+  /** Shows nothing. */
+  void clear() {
+    hasPicture = false;
+    overlay = null;
+    changed();
   }
 
   /** Shows another picture; of the same size it keeps zoom and pinned pixel. */
@@ -70,6 +76,17 @@ final class PictureView extends Drawing {
       fitting = true;
       pinned = null;
     }
+    changed();
+  }
+
+  private void changed() {
+    firePropertyChange("zoom", -1.0, zoom().scale());
+    repaint();
+  }
+
+  /** Whether the picture is still coming into being: then it is painted as quickly as possible. */
+  void setFilling(final boolean next) {
+    filling = next;
     repaint();
   }
 
@@ -101,7 +118,7 @@ final class PictureView extends Drawing {
   }
 
   /** Dots of the screen to a point. */
-  private double dots() {
+  private double dotsToAPoint() {
     return getGraphicsConfiguration() == null ? 1 : getGraphicsConfiguration().getDefaultTransform().getScaleX();
   }
 
@@ -113,27 +130,24 @@ final class PictureView extends Drawing {
   }
 
   private void setZoom(final Zoom next) {
-    final double before = zoom().scale();
     fitting = false;
     zoom = next;
-    firePropertyChange("zoom", before, next.scale());
-    repaint();
+    changed();
   }
 
   /** How many dots of the screen a pixel has. */
   double magnification() {
-    return zoom().scale() * dots();
+    return zoom().scale() * dotsToAPoint();
   }
 
   void fit() {
     fitting = true;
-    firePropertyChange("zoom", -1.0, zoom().scale());
-    repaint();
+    changed();
   }
 
   /** A pixel of the picture to a dot of the screen. */
   void oneToOne() {
-    setZoom(Zoom.centred(1 / dots(), picture.getWidth(), picture.getHeight(), getWidth(), getHeight()));
+    setZoom(Zoom.centred(1 / dotsToAPoint(), picture.getWidth(), picture.getHeight(), getWidth(), getHeight()));
   }
 
   void zoomAbout(final Point2D place, final double factor) {
@@ -163,7 +177,7 @@ final class PictureView extends Drawing {
 
   /** Pins a pixel and brings it into view, large enough to be seen. */
   void show(final Point pixel) {
-    final Zoom near = new Zoom(Math.max(zoom().scale(), GRID_FROM / dots()), 0, 0);
+    final Zoom near = new Zoom(Math.max(zoom().scale(), PicturePainter.GRID_FROM / dotsToAPoint()), 0, 0);
     setZoom(near.centredOn(pixel, getWidth(), getHeight()));
     pin(pixel);
   }
@@ -192,77 +206,48 @@ final class PictureView extends Drawing {
     return pixel.x >= 0 && pixel.y >= 0 && pixel.x < picture.getWidth() && pixel.y < picture.getHeight();
   }
 
+  /** How long it took to paint the picture the last time. */
+  double secondsToPaint() {
+    return secondsToPaint;
+  }
+
   @Override
   protected void paintComponent(final Graphics graphics) {
+    final long begin = System.nanoTime();
     final Graphics2D g = (Graphics2D) graphics.create();
-    try {
-      final Rectangle clip = g.getClipBounds();
-      g.setColor(getBackground());
-      g.fillRect(clip.x, clip.y, clip.width, clip.height);
-      final Rectangle pixels = zoom().inPicture(clip)
-          .intersection(new Rectangle(picture.getWidth(), picture.getHeight()));
-      if (hasPicture && !pixels.isEmpty()) {
-        paintPixels(g, pixels);
+    final AffineTransform toDots = g.getTransform();
+    final double scale = toDots.getScaleX();
+    final Rectangle clip = g.getClipBounds().intersection(new Rectangle(getSize()));
+    final Rectangle part = new Zoom(scale, 0, 0).onScreen(clip);
+    prepareDots((int) Math.ceil(getWidth() * scale), (int) Math.ceil(getHeight() * scale));
+    paint(part, scale);
+    g.setTransform(AffineTransform.getTranslateInstance(Math.round(toDots.getTranslateX()),
+        Math.round(toDots.getTranslateY())));
+    g.drawImage(dots, part.x, part.y, part.x + part.width, part.y + part.height, part.x, part.y, part.x + part.width,
+        part.y + part.height, null);
+    g.dispose();
+    secondsToPaint = 1e-9 * (System.nanoTime() - begin);
+  }
+
+  private void prepareDots(final int width, final int height) {
+    if (dots == null || dots.getWidth() != width || dots.getHeight() != height) {
+      dots = new BufferedImage(Math.max(1, width), Math.max(1, height), BufferedImage.TYPE_INT_RGB);
+    }
+  }
+
+  private void paint(final Rectangle part, final double scale) {
+    final PicturePainter painter = new PicturePainter(dots, part, zoom(), scale, picture.getWidth(), picture.getHeight());
+    painter.paintGround(getBackground(), hasPicture);
+    if (hasPicture) {
+      painter.paint(picture, filling);
+      if (overlay != null) {
+        painter.paint(overlay, false);
       }
-    } finally {
-      g.dispose();
-    }
-  }
-
-  private void paintPixels(final Graphics2D g, final Rectangle pixels) {
-    final Rectangle2D place = new Rectangle2D.Double(zoom.x() + pixels.x * zoom.scale(),
-        zoom.y() + pixels.y * zoom.scale(), pixels.width * zoom.scale(), pixels.height * zoom.scale());
-    g.setPaint(checkerboard());
-    g.fill(place);
-    g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, magnification() < 1
-        ? RenderingHints.VALUE_INTERPOLATION_BILINEAR : RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR);
-    final AffineTransform toPlace = new AffineTransform(zoom.scale(), 0, 0, zoom.scale(), place.getX(), place.getY());
-    g.drawImage(picture.getSubimage(pixels.x, pixels.y, pixels.width, pixels.height), toPlace, null);
-    if (overlay != null) {
-      g.drawImage(overlay.getSubimage(pixels.x, pixels.y, pixels.width, pixels.height), toPlace, null);
-    }
-    if (magnification() >= GRID_FROM) {
-      paintGrid(g, pixels, place);
-    }
-    if (pinned != null) {
-      paintPinned(g);
-    }
-  }
-
-  private TexturePaint checkerboard() {
-    if (checkerboard == null) {
-      final BufferedImage squares = new BufferedImage(2 * SQUARE, 2 * SQUARE, BufferedImage.TYPE_INT_RGB);
-      for (int y = 0; y < 2 * SQUARE; y++) {
-        for (int x = 0; x < 2 * SQUARE; x++) {
-          squares.setRGB(x, y, x / SQUARE == y / SQUARE ? 0xffffff : 0xd4d4d4);
-        }
+      painter.paintGrid();
+      if (pinned != null) {
+        painter.paintFrame(pinned);
       }
-      checkerboard = new TexturePaint(squares, new Rectangle(2 * SQUARE, 2 * SQUARE));
     }
-    return checkerboard;
-  }
-
-  private void paintGrid(final Graphics2D g, final Rectangle pixels, final Rectangle2D place) {
-    g.setColor(GRID);
-    final double thin = 1 / dots();
-    for (int i = 0; i <= pixels.width; i++) {
-      g.fill(new Rectangle2D.Double(place.getX() + i * zoom.scale(), place.getY(), thin, place.getHeight()));
-    }
-    for (int i = 0; i <= pixels.height; i++) {
-      g.fill(new Rectangle2D.Double(place.getX(), place.getY() + i * zoom.scale(), place.getWidth(), thin));
-    }
-  }
-
-  /** A frame about the pinned pixel, black and white so that it is seen on any colour, and large enough to be seen. */
-  private void paintPinned(final Graphics2D g) {
-    final double least = 9, scale = zoom.scale(), size = Math.max(least, scale);
-    final double x = zoom.x() + (pinned.x + 0.5) * scale - size / 2, y = zoom.y() + (pinned.y + 0.5) * scale - size / 2;
-    g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-    g.setStroke(new BasicStroke(3));
-    g.setColor(Color.BLACK);
-    g.draw(new Rectangle2D.Double(x, y, size, size));
-    g.setStroke(new BasicStroke(1));
-    g.setColor(Color.WHITE);
-    g.draw(new Rectangle2D.Double(x, y, size, size));
+    painter.dispose();
   }
 }

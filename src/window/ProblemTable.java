@@ -18,7 +18,7 @@ final class ProblemTable extends JPanel {
   private static final long serialVersionUID = 1L;
 
   private static final String[] COLUMNS = {"kind", "file", "line", "column", "message"};
-  private static final int[] WIDTHS = {70, 160, 50, 60, 800};
+  private static final int[] WIDTHS = {70, 160, 60, 80, 800};
 
   /** The rows. */
   private static final class Rows extends AbstractTableModel {
@@ -47,7 +47,7 @@ final class ProblemTable extends JPanel {
       final Problem problem = problems.get(row);
       return switch (column) {
         case 0 -> Messages.text("problems." + problem.severity());
-        case 1 -> problem.file();
+        case 1 -> problem.file().replaceFirst(".*[/\\\\]", "");
         case 2 -> problem.line() == 0 ? "" : problem.line();
         case 3 -> problem.column() == 0 ? "" : problem.column();
         default -> problem.message();
@@ -59,7 +59,7 @@ final class ProblemTable extends JPanel {
   private final JTable table = new JTable(rows) {
     private static final long serialVersionUID = 1L;
 
-    /** A message may be longer than its column. */
+    /** The whole path, and a message that may be longer than its column. */
     @Override
     public String getToolTipText(final java.awt.event.MouseEvent event) {
       final int row = rowAtPoint(event.getPoint());

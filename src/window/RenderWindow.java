@@ -8,20 +8,13 @@ import java.awt.Toolkit;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
-import javax.swing.Timer;
 
-import inspection.Inspection;
-import inspection.Inspector;
 import models.Group3D;
-import scenes.Problem;
-import scenes.Reading;
 import scenes.Scene;
 import upnatray.RenderJob;
 import upnatray.View;
@@ -33,46 +26,31 @@ import view.Camera;
  */
 public final class RenderWindow {
 
-  /** Between two looks at what has been rendered: fast enough to look alive, and cheap. */
-  private static final int MILLISECONDS_BETWEEN = 80;
-
   private final Settings settings;
   private final JFrame frame = new JFrame();
   private final PictureView view = new PictureView(new Pointing());
   private final InspectorPanel inspector = new InspectorPanel();
   private final ProblemTable problems = new ProblemTable();
   private final LegendView legend = new LegendView();
+  private final Showing showing = new Showing(this);
+  private final Questions questions = new Questions(this);
   private final Command render = Command.of("render", "F5", this::renderAgain);
-  private final Command cancel;
-  private final StatusBar status;
-  private final Renderer renderer = new Renderer(new Following());
-  private final SceneWatch watch = new SceneWatch(() -> SwingUtilities.invokeLater(this::renderAgain));
-  private final Timer clock = new Timer(MILLISECONDS_BETWEEN, event -> showProgress());
-  private final Dialogs dialogs;
+  private final Command cancel = Command.of("cancel", "ESCAPE", showing::cancel);
+  private final StatusBar status = new StatusBar(cancel);
+  private final Dialogs dialogs = new Dialogs(this);
+  private final Session session;
   private final ToolBar toolBar;
   private final MenuBar menus;
-  private Path file;
-  private Scene scene;
-  private View what;
-  private PictureSize size = PictureSize.OWN;
-  private final int threads;
-  private RenderJob job;
-  private Canvas canvas;
-  private boolean running;
 
   RenderWindow(final Settings settings, final View what, final int threads) {
     this.settings = settings;
-    this.what = what;
-    this.threads = threads > 0 ? threads : Runtime.getRuntime().availableProcessors();
-    this.cancel = Command.of("cancel", "ESCAPE", renderer::cancel);
-    this.status = new StatusBar(cancel);
-    this.dialogs = new Dialogs(this);
+    this.session = new Session(showing, what, threads);
     this.toolBar = new ToolBar(this);
     this.menus = new MenuBar(this);
     cancel.setEnabled(false);
     render.setEnabled(false);
     layOut();
-    view.addPropertyChangeListener("zoom", event -> status.showZoom(view.magnification()));
+    view.addPropertyChangeListener("zoom", event -> status.showZoom(view.hasPicture() ? view.magnification() : 0));
     frame.addWindowListener(new WindowAdapter() {
       @Override
       public void windowClosing(final WindowEvent event) {
@@ -121,73 +99,48 @@ public final class RenderWindow {
 
   /** Opens a scene file, and watches it from now on. */
   void open(final Path path) {
-    file = path;
-    scene = null;
-    job = null;
-    canvas = null;
-    view.unpin();
-    inspector.clear();
     settings.addRecent(path);
     settings.setFolder(path.toAbsolutePath().getParent());
     menus.fillRecent();
-    watch.watch(List.of(path));
-    frame.setTitle(path.getFileName() + " \u2014 UPNaTRay");
-    renderAgain();
+    begin(path.getFileName().toString());
+    session.open(path);
   }
 
   void open(final Scene known) {
-    file = null;
-    scene = known;
-    frame.setTitle(known.name() + " \u2014 UPNaTRay");
-    renderAgain();
+    begin(known.name());
+    session.open(known);
+  }
+
+  private void begin(final String name) {
+    frame.setTitle(name + " \u2014 UPNaTRay");
+    render.setEnabled(true);
+    showing.forget();
+    unpin();
+    status.showText(Messages.text("status.reading", name));
   }
 
   void renderAgain() {
-    if (file != null || scene != null) {
-      render.setEnabled(true);
-      renderer.render(new Renderer.Wish(file, file == null ? scene : null, what, size, threads));
-    }
+    session.render();
   }
 
   void setWhat(final View next) {
-    what = next;
     menus.select(next);
     toolBar.select(next);
-    renderAgain();
+    session.setView(next);
   }
 
   /** The size of the first picture. */
   void startWithSize(final PictureSize first) {
-    size = first;
+    session.startWithSize(first);
     toolBar.select(first);
   }
 
   void setPictureSize(final PictureSize next) {
-    if (!next.equals(size)) {
-      size = next;
-      renderAgain();
-    }
-  }
-
-  /** Shows the pixels that are new. */
-  private void showProgress() {
-    if (canvas != null) {
-      view.repaintPixels(canvas.takeChanged());
-      status.showProgress(job);
-      legend.setScale(job.scale().orElse(null));
-    }
-  }
-
-  private void inspect(final Point pixel) {
-    if (job != null && pixel.x < job.image().getWidth() && pixel.y < job.image().getHeight()) {
-      final int W = job.image().getWidth(), H = job.image().getHeight();
-      final Inspection inspection = new Inspector(job.scene(), W, H).inspect(pixel.x, H - 1 - pixel.y);
-      inspector.show(inspection);
-      dialogs.showRay(job.scene(), W, H, inspection);
-    }
+    session.setSize(next);
   }
 
   void unpin() {
+    questions.forget();
     view.unpin();
     inspector.clear();
   }
@@ -212,10 +165,10 @@ public final class RenderWindow {
   }
 
   void showOutside() {
-    if (job != null) {
-      dialogs.showOutside(job.scene(), job.image().getWidth(), job.image().getHeight());
+    if (job() != null) {
+      dialogs.showOutside(job());
       if (view.pinned() != null) {
-        inspect(view.pinned());
+        questions.ask(job(), view.pinned());
       }
     }
   }
@@ -232,70 +185,10 @@ public final class RenderWindow {
       settings.setBounds(frame.getBounds());
     }
     settings.save();
-    renderer.stop();
-    watch.stop();
-    clock.stop();
+    session.stop();
+    showing.stop();
     dialogs.close();
     frame.dispose();
-  }
-
-  /** What becomes of a rendering. */
-  private final class Following implements Renderer.Listener {
-
-    @Override
-    public void read(final Reading reading) {
-      problems.show(reading.problems());
-      if (reading.scene().isPresent()) {
-        scene = reading.scene().get();
-        final List<Path> files = new ArrayList<>(scene.meshes());
-        files.add(file);
-        watch.watch(files);
-      } else {
-        status.showText(Messages.text("status.errors"));
-      }
-    }
-
-    @Override
-    public void started(final RenderJob next, final Canvas itsCanvas) {
-      job = next;
-      canvas = itsCanvas;
-      running = true;
-      view.setPicture(itsCanvas.picture());
-      status.showZoom(view.magnification());
-      status.setRunning(true);
-      cancel.setEnabled(true);
-      clock.start();
-      if (file == null) {
-        problems.show(List.of());
-      }
-      if (view.pinned() == null) {
-        inspector.clear();
-      }
-    }
-
-    @Override
-    public void finished(final RenderJob ended, final boolean completed) {
-      clock.stop();
-      showProgress();
-      running = false;
-      cancel.setEnabled(false);
-      status.setRunning(false);
-      status.showFinished(ended, completed);
-      if (view.pinned() != null) {
-        view.pin(view.pinned());
-      }
-      dialogs.renderingFinished();
-    }
-
-    @Override
-    public void failed(final Throwable failure) {
-      clock.stop();
-      running = false;
-      cancel.setEnabled(false);
-      status.setRunning(false);
-      status.showText(Messages.text("status.failed"));
-      problems.show(List.of(Failure.problem(failure)));
-    }
   }
 
   /** What the user points at. */
@@ -309,7 +202,9 @@ public final class RenderWindow {
     @Override
     public void pinned(final Point pixel) {
       hovered(pixel);
-      inspect(pixel);
+      if (job() != null) {
+        questions.ask(job(), pixel);
+      }
     }
   }
 
@@ -349,19 +244,20 @@ public final class RenderWindow {
     return cancel;
   }
 
-  View what() {
-    return what;
+  LegendView legend() {
+    return legend;
   }
 
-  Path file() {
-    return file;
+  Session session() {
+    return session;
   }
 
   boolean isRunning() {
-    return running;
+    return showing.isRunning();
   }
 
+  /** What is shown, or was before; null if there is nothing. */
   RenderJob job() {
-    return job;
+    return showing.job();
   }
 }

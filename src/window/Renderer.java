@@ -3,8 +3,6 @@ package window;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Optional;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 
 import javax.swing.SwingUtilities;
 
@@ -17,7 +15,7 @@ import upnatray.View;
 /** Reads and renders scenes in the background, the latest wish first: a rendering that is no longer wanted is cancelled. */
 final class Renderer {
 
-  /** Is told by the event thread what becomes of a wish. */
+  /** Is told by the event thread what becomes of the latest wish, and of no other. */
   interface Listener {
 
     /** A scene was read, perhaps with errors only. */
@@ -43,11 +41,7 @@ final class Renderer {
   }
 
   private final Listener listener;
-  private final ExecutorService thread = Executors.newSingleThreadExecutor(work -> {
-    final Thread renderer = new Thread(work, "renderer");
-    renderer.setDaemon(true);
-    return renderer;
-  });
+  private final Latest background = new Latest("renderer");
   private Wish latest;
   private RenderJob running;
   private BufferedImage before;
@@ -59,7 +53,7 @@ final class Renderer {
   synchronized void render(final Wish wish) {
     latest = wish;
     cancel();
-    thread.execute(() -> fulfil(wish));
+    background.execute(() -> fulfil(wish));
   }
 
   synchronized void cancel() {
@@ -71,52 +65,60 @@ final class Renderer {
   /** Renders no more. */
   void stop() {
     cancel();
-    thread.shutdownNow();
+    background.stop();
   }
 
   private synchronized boolean isLatest(final Wish wish) {
     return wish == latest;
   }
 
-  private synchronized void setRunning(final Wish wish, final RenderJob job) {
-    running = job;
-    if (job != null && wish != latest) {
-      job.cancel();
-    }
+  /** Tells the listener, unless there is another wish by now. */
+  private void tell(final Wish wish, final Runnable what) {
+    SwingUtilities.invokeLater(() -> {
+      if (isLatest(wish)) {
+        what.run();
+      }
+    });
   }
 
   private void fulfil(final Wish wish) {
-    if (!isLatest(wish)) {
-      return;
-    }
     try {
-      final Optional<Scene> scene = wish.scene != null ? Optional.of(wish.scene) : read(wish.file);
-      if (scene.isPresent()) {
+      final Optional<Scene> scene = wish.scene != null ? Optional.of(wish.scene) : read(wish);
+      if (scene.isPresent() && isLatest(wish)) {
         render(wish, scene.get());
       }
     } catch (final RuntimeException | Error failure) {
-      SwingUtilities.invokeLater(() -> listener.failed(failure));
-    } finally {
-      setRunning(wish, null);
+      tell(wish, () -> listener.failed(failure));
     }
   }
 
-  private Optional<Scene> read(final Path file) {
-    final Reading reading = SceneReader.read(file);
-    SwingUtilities.invokeLater(() -> listener.read(reading));
+  private Optional<Scene> read(final Wish wish) {
+    final Reading reading = SceneReader.read(wish.file);
+    tell(wish, () -> listener.read(reading));
     return reading.scene();
   }
 
   private void render(final Wish wish, final Scene scene) {
     final int W = wish.size.widthOf(scene.width(), scene.height()), H = wish.size.heightOf(scene.width(), scene.height());
     final RenderJob job = new RenderJob(scene, wish.view, W, H, wish.threads);
-    final Canvas canvas = new Canvas(job.image(), before);
-    setRunning(wish, job);
-    SwingUtilities.invokeLater(() -> listener.started(job, canvas));
+    final Canvas canvas = begin(wish, job);
+    tell(wish, () -> listener.started(job, canvas));
     final boolean completed = job.run(canvas);
     if (completed) {
       canvas.tileDone(0, 0, W, H);
     }
-    before = canvas.picture();
-    SwingUtilities.invokeLater(() -> listener.finished(job, completed));
-  }}
+    tell(wish, () -> listener.finished(job, completed));
+  }
+
+  /** What a rendering paints on. Before it begins it may be unwanted already. */
+  private synchronized Canvas begin(final Wish wish, final RenderJob job) {
+    final Canvas canvas = new Canvas(job.image(), before);
+    if (isLatest(wish)) {
+      running = job;
+      before = canvas.picture();
+    } else {
+      job.cancel();
+    }
+    return canvas;
+  }
+}

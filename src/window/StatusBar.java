@@ -40,15 +40,17 @@ final class StatusBar extends JPanel {
     cancel = new JButton(cancelling);
     cancel.setName("cancel");
     cancel.setHideActionText(false);
-    add(pixel);
-    add(Box.createHorizontalStrut(24));
+    zoom.setPreferredSize(new Dimension(70, 18));
     add(zoom);
+    add(Box.createHorizontalStrut(12));
+    add(pixel);
     add(Box.createHorizontalGlue());
     add(text);
     add(Box.createHorizontalStrut(12));
     add(progress);
     add(Box.createHorizontalStrut(6));
     add(cancel);
+    setPreferredSize(getPreferredSize());
     setRunning(false);
   }
 
@@ -58,8 +60,9 @@ final class StatusBar extends JPanel {
         InspectionTree.colour(argb), String.format(Locale.ROOT, "#%08x", argb)));
   }
 
+  /** Shows how many dots of the screen a pixel has; nothing for 0. */
   void showZoom(final double magnification) {
-    zoom.setText(String.format(Locale.ROOT, "%.4g %%", 100 * magnification));
+    zoom.setText(magnification == 0 ? " " : String.format(Locale.ROOT, "%.4g %%", 100 * magnification));
   }
 
   void setRunning(final boolean running) {
@@ -74,9 +77,10 @@ final class StatusBar extends JPanel {
         left < Double.POSITIVE_INFINITY ? seconds(left) : "?", rays(job.raysPerSecond())));
   }
 
-  void showFinished(final RenderJob job, final boolean completed) {
-    text.setText(Messages.text(completed ? "status.finished" : "status.cancelled", job.image().getWidth(),
-        job.image().getHeight(), seconds(job.seconds()), rays(job.raysPerSecond())));
+  /** What to tell of a rendering that has ended. */
+  static String finished(final RenderJob job, final boolean completed) {
+    return Messages.text(completed ? "status.finished" : "status.cancelled", job.image().getWidth(),
+        job.image().getHeight(), seconds(job.seconds()), rays(job.raysPerSecond()));
   }
 
   void showText(final String message) {

@@ -39,7 +39,7 @@ final class ToolBar extends JToolBar {
     addLabelled("size", size, event -> takeSize());
     addSeparator();
     what.setName("what");
-    what.setSelectedItem(window.what());
+    what.setSelectedItem(window.session().view());
     what.setRenderer(new ViewNames());
     what.setMaximumSize(what.getPreferredSize());
     addLabelled("what", what, event -> takeWhat());
@@ -75,7 +75,7 @@ final class ToolBar extends JToolBar {
   }
 
   private void takeWhat() {
-    if (!selecting && what.getSelectedItem() instanceof View view && view != window.what()) {
+    if (!selecting && what.getSelectedItem() instanceof View view && view != window.session().view()) {
       window.setWhat(view);
     }
   }

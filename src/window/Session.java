@@ -1,0 +1,98 @@
+package window;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+import javax.swing.SwingUtilities;
+
+import scenes.Scene;
+import upnatray.View;
+
+/** What is open in a window and how it is to be rendered. When the scene file or a mesh of it is saved, it is rendered anew. */
+final class Session {
+
+  private final Renderer renderer;
+  private final SceneWatch watch = new SceneWatch(() -> SwingUtilities.invokeLater(this::render));
+  private final int threads;
+  private Path file;
+  private Scene scene;
+  private View view;
+  private PictureSize size = PictureSize.OWN;
+
+  /** With nothing open yet, for a number of threads; 0 for one for each core. */
+  Session(final Renderer.Listener listener, final View view, final int threads) {
+    this.renderer = new Renderer(listener);
+    this.view = view;
+    this.threads = threads > 0 ? threads : Runtime.getRuntime().availableProcessors();
+  }
+
+  /** Opens a scene file, and watches it from now on. */
+  void open(final Path path) {
+    file = path;
+    scene = null;
+    watch.watch(List.of(path));
+    render();
+  }
+
+  /** Opens a scene of a program of one's own. */
+  void open(final Scene known) {
+    file = null;
+    scene = known;
+    watch.watch(List.of());
+    render();
+  }
+
+  /** Reads the file, if it is one, and renders. */
+  void render() {
+    if (isOpen()) {
+      renderer.render(new Renderer.Wish(file, scene, view, size, threads));
+    }
+  }
+
+  boolean isOpen() {
+    return file != null || scene != null;
+  }
+
+  /** Watches the meshes of the scene too. */
+  void watchMeshes(final Scene read) {
+    final List<Path> files = new ArrayList<>(read.meshes());
+    files.add(file);
+    watch.watch(files);
+  }
+
+  /** The file that is open; null if there is none. */
+  Path file() {
+    return file;
+  }
+
+  View view() {
+    return view;
+  }
+
+  void setView(final View next) {
+    view = next;
+    render();
+  }
+
+  /** The size of the first picture. */
+  void startWithSize(final PictureSize first) {
+    size = first;
+  }
+
+  void setSize(final PictureSize next) {
+    if (!next.equals(size)) {
+      size = next;
+      render();
+    }
+  }
+
+  void cancel() {
+    renderer.cancel();
+  }
+
+  void stop() {
+    renderer.stop();
+    watch.stop();
+  }
+}
