@@ -72,7 +72,7 @@ public final class Inspector {
     try {
       scene.objects().closestHits(rays, hits);
       return hits.hit(row * RayTile.SIZE + column);
-    } catch (final RuntimeException failed) {
+    } catch (final RuntimeException | StackOverflowError failed) {
       return Hit.NOHIT;
     }
   }
@@ -93,7 +93,7 @@ public final class Inspector {
   private int tests(final Ray ray) {
     try {
       return Cost.of(scene.objects(), ray);
-    } catch (final RuntimeException failed) {
+    } catch (final RuntimeException | StackOverflowError failed) {
       return 0;
     }
   }

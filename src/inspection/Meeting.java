@@ -19,7 +19,7 @@ import tracer.Hit;
  *     innermost
  * @param march for an object that is marched to, the march in its own frame
  * @param findings what is wrong with the answer
- * @param failure message of the exception, if it threw one
+ * @param failure the exception, if it threw one, with its place
  */
 public record Meeting(Object3D object, Object3D whole, String name, Hit hit, boolean winner, List<LocalRay> frames,
     Optional<March> march, List<Finding> findings, String failure) {
@@ -36,7 +36,7 @@ public record Meeting(Object3D object, Object3D whole, String name, Hit hit, boo
    *     transformation to the innermost
    * @param march for an object that is marched to, the march in its own frame
    * @param findings what is wrong with the answer
-   * @param failure message of the exception, if it threw one
+   * @param failure the exception, if it threw one, with its place
    */
   public Meeting {
     frames = List.copyOf(frames);

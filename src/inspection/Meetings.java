@@ -87,16 +87,36 @@ final class Meetings {
         hit = answer;
         check(object, hit, findings);
       }
-    } catch (final RuntimeException thrown) {
+    } catch (final RuntimeException | StackOverflowError thrown) {
       findings.add(Finding.EXCEPTION);
-      failure = thrown.toString();
+      failure = thrown + place(thrown);
     }
-    if (hit.hits() || !findings.isEmpty()) {
-      final Optional<March> march = March.of(object, rays.peek());
+    final Optional<March> march = march(object, hit.hits() || !findings.isEmpty());
+    if (hit.hits() || !findings.isEmpty() || march.isPresent()) {
       final List<LocalRay> frames = new ArrayList<>();
       final Hit inScene = inScene(hit, frames);
       meetings.add(new Meeting(object, whole, name, inScene, false, frames, march, findings, failure));
     }
+  }
+
+  /** Where it was thrown, as a file of sources and a line, if that is known. */
+  private static String place(final Throwable thrown) {
+    final StackTraceElement[] trace = thrown.getStackTrace();
+    return trace.length == 0 ? "" : " (" + trace[0].getFileName() + ":" + trace[0].getLineNumber() + ")";
+  }
+
+  /** The march to an object; to one that is not met only if the ray crosses its box: then it is told why it was not met. */
+  private Optional<March> march(final Object3D object, final boolean isMet) {
+    try {
+      return isMet || isCrossed(object.getBoundingBox()) ? March.of(object, rays.peek()) : Optional.empty();
+    } catch (final RuntimeException | StackOverflowError undefined) {
+      return Optional.empty();
+    }
+  }
+
+  private boolean isCrossed(final BoundingBox box) {
+    final Ray ray = rays.peek();
+    return box.isCrossedBy(ray.startX(), ray.startY(), ray.startZ(), ray.directionX(), ray.directionY(), ray.directionZ());
   }
 
   private void check(final Object3D object, final Hit hit, final List<Finding> findings) {
@@ -129,7 +149,7 @@ final class Meetings {
       findings.add(Finding.NULL_BOX);
       return;
     }
-    if (!box.isCrossedBy(ray.startX(), ray.startY(), ray.startZ(), ray.directionX(), ray.directionY(), ray.directionZ())) {
+    if (!isCrossed(box)) {
       findings.add(Finding.BOX_PASSED_BY);
     }
     if (!box.contains(hit.getPoint())) {

@@ -119,13 +119,22 @@ public final class Outline {
 
   private void addBoxes(final Group3D group) {
     for (final Object3D object : group.getObjects()) {
-      final BoundingBox box = object.getBoundingBox();
+      final BoundingBox box = boxOf(object);
       if (object instanceof Group3D part) {
         addBoxes(part);
       } else if (box != null && box.isFinite() && lines.size() < MOST_BOXES * 12) {
         addBox(box, object.getColor() == null ? 0 : object.getColor().getRGB());
         bounds = bounds.union(box);
       }
+    }
+  }
+
+  /** The box of an object; null for one that cannot tell. The inspector tells of it, the drawing does without. */
+  private static BoundingBox boxOf(final Object3D object) {
+    try {
+      return object.getBoundingBox();
+    } catch (final RuntimeException | StackOverflowError failed) {
+      return null;
     }
   }
 

@@ -36,7 +36,7 @@ final class Arrangement {
       @Override
       public void componentShown(final ComponentEvent event) {
         split.setDividerSize(divider);
-        split.resetToPreferredSizes();
+        split.setDividerLocation(split.getHeight() - divider - problems.getPreferredSize().height);
       }
 
       @Override

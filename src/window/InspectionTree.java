@@ -11,10 +11,9 @@ import inspection.Formula;
 import inspection.Inspection;
 import inspection.LocalRay;
 import inspection.Meeting;
+import inspection.Numbers;
 import inspection.PixelRay;
 import models.March;
-import primitives.Point3D;
-import primitives.Vector3D;
 import tracer.Hit;
 import tracer.Ray;
 
@@ -60,7 +59,9 @@ final class InspectionTree {
     if (pixel.ray() == Ray.NORAY) {
       node.add(node("inspect.noRay"));
     } else {
-      node.add(node("inspect.given", text(pixel.ray().getStartingPoint()), text(pixel.ray().getDirection())));
+      final DefaultMutableTreeNode given = node("inspect.given", pixel.m(), pixel.n());
+      addRay(given, pixel.ray());
+      node.add(given);
     }
     return node;
   }
@@ -79,7 +80,8 @@ final class InspectionTree {
 
   private static DefaultMutableTreeNode meetings(final Inspection inspection) {
     final List<Meeting> meetings = inspection.meetings();
-    final DefaultMutableTreeNode node = node("inspect.meetings", meetings.size(), inspection.tests());
+    final long met = meetings.stream().filter(meeting -> meeting.hit().hits()).count();
+    final DefaultMutableTreeNode node = node("inspect.meetings", met, inspection.tests());
     int number = 0;
     for (final Meeting meeting : meetings) {
       node.add(meeting(meeting, ++number));
@@ -89,7 +91,7 @@ final class InspectionTree {
 
   private static DefaultMutableTreeNode meeting(final Meeting meeting, final int number) {
     final String name = meeting.name().isEmpty() ? "" : " \u201c" + meeting.name() + "\u201d";
-    final String t = meeting.hit().hits() ? "t = " + meeting.hit().getT() : Messages.text("inspect.noHit");
+    final String t = meeting.hit().hits() ? "t = " + Numbers.text(meeting.hit().getT()) : Messages.text("inspect.noHit");
     final String mark = meeting.winner() ? "  \u2605 " + Messages.text("inspect.winner") : "";
     final DefaultMutableTreeNode node = new DefaultMutableTreeNode(new MeetingLine(meeting, number + ". "
         + meeting.object().getClass().getSimpleName() + name + ": " + t + mark));
@@ -105,18 +107,23 @@ final class InspectionTree {
     return node;
   }
 
+  private static void addRay(final DefaultMutableTreeNode node, final Ray ray) {
+    add(node, "R = " + Numbers.text(ray.getStartingPoint()));
+    add(node, "v = " + Numbers.text(ray.getDirection()));
+  }
+
   private static void addHit(final DefaultMutableTreeNode node, final Hit hit) {
     if (hit.hits()) {
-      node.add(node("inspect.point", text(hit.getPoint())));
-      node.add(node("inspect.normal", text(hit.getNormal())));
+      node.add(node("inspect.point", Numbers.text(hit.getPoint())));
+      node.add(node("inspect.normal", Numbers.text(hit.getNormal())));
     }
   }
 
   private static DefaultMutableTreeNode frame(final LocalRay frame) {
     final DefaultMutableTreeNode node = node("inspect.frame");
-    node.add(node("inspect.given", text(frame.ray().getStartingPoint()), text(frame.ray().getDirection())));
+    addRay(node, frame.ray());
     if (frame.hit().hits()) {
-      add(node, "t = " + frame.hit().getT());
+      add(node, "t = " + Numbers.text(frame.hit().getT()));
     }
     addHit(node, frame.hit());
     return node;
@@ -144,13 +151,5 @@ final class InspectionTree {
   static String colour(final int argb) {
     final String rgb = (argb >> 16 & 0xff) + " " + (argb >> 8 & 0xff) + " " + (argb & 0xff);
     return argb >>> 24 == 0xff ? rgb : rgb + " \u03b1 " + (argb >>> 24);
-  }
-
-  private static String text(final Point3D P) {
-    return "(" + P.x + ", " + P.y + ", " + P.z + ")";
-  }
-
-  private static String text(final Vector3D v) {
-    return "(" + v.x + ", " + v.y + ", " + v.z + ")";
   }
 }

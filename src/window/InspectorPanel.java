@@ -5,6 +5,7 @@ import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
+import java.awt.event.MouseEvent;
 import java.util.Optional;
 
 import javax.swing.BorderFactory;
@@ -13,6 +14,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTree;
+import javax.swing.ToolTipManager;
 import javax.swing.tree.DefaultMutableTreeNode;
 import javax.swing.tree.DefaultTreeCellRenderer;
 import javax.swing.tree.DefaultTreeModel;
@@ -29,7 +31,16 @@ final class InspectorPanel extends JPanel {
 
   private final JLabel heading = new JLabel();
   private final JLabel swatch = new JLabel("      ");
-  private final JTree tree = new JTree(new DefaultMutableTreeNode());
+  private final JTree tree = new JTree(new DefaultMutableTreeNode()) {
+    private static final long serialVersionUID = 1L;
+
+    /** A line may be longer than there is room. */
+    @Override
+    public String getToolTipText(final MouseEvent event) {
+      final TreePath path = getPathForLocation(event.getX(), event.getY());
+      return path == null ? null : path.getLastPathComponent().toString();
+    }
+  };
   private final MarchPlot plot = new MarchPlot();
   private final JButton copy = new JButton(Messages.text("copyTest.text"));
   private transient Inspection inspection;
@@ -59,6 +70,7 @@ final class InspectorPanel extends JPanel {
 
   private void prepareTree() {
     tree.setName("inspection");
+    ToolTipManager.sharedInstance().registerComponent(tree);
     tree.setRootVisible(false);
     tree.setShowsRootHandles(true);
     tree.getAccessibleContext().setAccessibleName(Messages.text("inspector.name"));

@@ -2,6 +2,7 @@ package window;
 
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
+import java.util.Objects;
 import java.util.Optional;
 
 import javax.swing.SwingUtilities;
@@ -38,6 +39,10 @@ final class Renderer {
    * @param scene the scene; null for a file
    */
   record Wish(Path file, Scene scene, View view, PictureSize size, int threads) {
+
+    boolean isOfSame(final Wish other) {
+      return Objects.equals(file, other.file) && scene == other.scene;
+    }
   }
 
   private final Listener listener;
@@ -51,6 +56,9 @@ final class Renderer {
   }
 
   synchronized void render(final Wish wish) {
+    if (latest != null && !wish.isOfSame(latest)) {
+      before = null;
+    }
     latest = wish;
     cancel();
     background.execute(() -> fulfil(wish));

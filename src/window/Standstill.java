@@ -8,7 +8,7 @@ import models.Object3D;
 final class Standstill {
 
   /** For how long no tile may be finished without anybody wondering. */
-  private static final double SECONDS = 5;
+  private static final double SECONDS = 3;
 
   private double share = -1;
   private long since;

@@ -143,6 +143,29 @@ class InspectorTest {
     assertEquals(3.6, march.steps().get(0).distance(), 1e-6);
   }
 
+  @Test
+  void aMarchThatPassesATorusByIsToldToo() {
+    final Torus ring = new Torus(new Point3D(), new Vector3D(0, 0, 1), 1, 0.4f, Color.RED);
+    final Meeting meeting = centre(ring, new Torus(new Point3D(9, 9, 9), new Vector3D(0, 0, 1), 1, 0.4f, Color.RED))
+        .meetings().get(0);
+    assertSame(ring, meeting.object());
+    assertFalse(meeting.hit().hits() || meeting.winner());
+    assertEquals(March.End.PASSED, meeting.march().orElseThrow().end());
+    assertEquals(1, centre(ring).meetings().size());
+  }
+
+  @Test
+  void aShapeThatCallsItselfForEverIsFound() {
+    final Meeting meeting = centre(new Wrong() {
+      @Override
+      public Hit intersectionWith(final Ray ray) {
+        return intersectionWith(ray);
+      }
+    }).meetings().get(0);
+    assertEquals(List.of(Finding.EXCEPTION), meeting.findings());
+    assertTrue(meeting.failure().contains("StackOverflowError"), meeting.failure());
+  }
+
   /** A shape of its own, wrong in some way. */
   private abstract static class Wrong extends Object3D {
 
@@ -178,7 +201,7 @@ class InspectorTest {
       }
     }).meetings().get(0);
     assertEquals(List.of(Finding.EXCEPTION), meeting.findings());
-    assertTrue(meeting.failure().contains("by zero"));
+    assertTrue(meeting.failure().contains("by zero (InspectorTest.java:"), meeting.failure());
     assertFalse(meeting.winner());
   }
 

@@ -353,6 +353,50 @@ class RenderWindowTest {
     assertTrue(on(() -> String.valueOf(window.problems().table().getValueAt(0, 4))).contains("no root"));
   }
 
+  /** A shape that does not come to an end, until it is told to. */
+  private static final class Endless extends Object3D {
+
+    private volatile boolean ended;
+
+    Endless() {
+      super(Color.RED);
+    }
+
+    @Override
+    public Hit intersectionWith(final Ray ray) {
+      while (!ended) {
+        Thread.onSpinWait();
+      }
+      return Hit.NOHIT;
+    }
+  }
+
+  @Test
+  void aShapeThatNeverAnswersIsToldOfAndLeftBehind() throws Exception {
+    final Endless endless = new Endless();
+    try {
+      on(() -> {
+        window.open(SampleScenes.of(new Orthographic(4, 0.8f), true, endless));
+        return null;
+      });
+      waitFor(() -> label("status").contains("Endless.intersectionWith (RenderWindowTest.java:"));
+      on(() -> {
+        window.view().pin(new Point(1, 1));
+        return null;
+      });
+      press("cancel");
+      waitFor(() -> !window.isRunning());
+      on(() -> {
+        window.open(scene);
+        return null;
+      });
+      waitFor(() -> window.view().picture().getWidth() == 80 && window.view().picture().getRGB(40, 30) == RED);
+      pin(40, 30);
+    } finally {
+      endless.ended = true;
+    }
+  }
+
   @Test
   void thePictureIsSavedAndComparedWithAReference() throws Exception {
     final Path file = folder.resolve("saved.png");
