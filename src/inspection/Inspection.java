@@ -7,7 +7,8 @@ import java.util.Optional;
  * All that is to be known of a pixel.
  *
  * @param pixel the pixel and its ray
- * @param meetings the objects that the ray meets, in the order of t; at the end those that it does not meet but that have findings or a march
+ * @param meetings the objects that the ray meets, in the order of t; at the end those that it does not meet but that have
+ *     findings or a march
  * @param colour how the colour comes about, step by step; the last step has the colour of the pixel
  * @param tests what finding the closest hit cost, see {@link models.Cost}
  */

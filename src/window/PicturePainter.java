@@ -11,8 +11,8 @@ import java.awt.image.BufferedImage;
 
 /**
  * Paints a picture at a place, into an image that is then brought to the screen: scaling here is several times cheaper than
- * sending all the pixels to the screen to be scaled there. All edges are put on whole dots of the screen, so that checkerboard,
- * picture, grid and frame fit together on every screen, and parts that are painted later fit those painted before.
+ * sending all the pixels to the screen to be scaled there. All edges are put on whole dots of the screen, so that
+ * checkerboard, picture, grid and frame fit together on every screen, and parts painted later fit those painted before.
  */
 final class PicturePainter {
 

@@ -9,7 +9,7 @@ import javax.swing.SwingUtilities;
 import scenes.Scene;
 import upnatray.View;
 
-/** What is open in a window and how it is to be rendered. When the scene file or a mesh of it is saved, it is rendered anew. */
+/** What is open in a window, and how it is to be rendered. It is rendered anew when the scene or a mesh of it is saved. */
 final class Session {
 
   private final Renderer renderer;

@@ -40,7 +40,8 @@ final class Standstill {
     String object = null;
     for (final StackTraceElement call : trace) {
       if (object == null && isObject(call.getClassName())) {
-        object = call.getClassName() + "." + call.getMethodName() + " (" + call.getFileName() + ":" + call.getLineNumber() + ")";
+        object = String.format("%s.%s (%s:%d)", call.getClassName(), call.getMethodName(), call.getFileName(),
+            call.getLineNumber());
       }
       if (object != null && call.getClassName().equals("upnatray.Synthesis")) {
         return Optional.of(object);
