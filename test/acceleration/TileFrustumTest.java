@@ -274,6 +274,34 @@ class TileFrustumTest {
     assertTrue(tile.look(boundingBox(new float[] {3, 3, 3, 4, 4, 4})));
   }
 
+  @ParameterizedTest
+  @EnumSource
+  void aPointOnARayIsNotOutsideHoweverFloatsRound(final Tiles.Kind kind) {
+    final int[] asked = {0};
+    Trials.of(4000, random -> {
+      final double size = size(random);
+      final RayTile tile = Tiles.random(random, kind, size);
+      final TileFrustum frustum = tile.frustum();
+      final int corner = (tile.rows() - 1) * random.nextInt(2) * RayTile.SIZE + (tile.columns() - 1) * random.nextInt(2);
+      if (!frustum.isFitted() || !tile.isPresent(corner)) {
+        return;
+      }
+      final double t = size * Math.pow(10, 8 * random.nextDouble() - 4);
+      final float[] box = new float[6];
+      for (int k = 0; k < 3; k++) {
+        final double at = Tiles.start(tile, corner)[k] + t * Tiles.direction(tile, corner)[k];
+        box[k] = down(at);
+        box[k + 3] = up(at);
+      }
+      if (frustum.prepare(box)) {
+        asked[0]++;
+        assertFalse(frustum.isOutside(box, 0), () -> describe(tile, corner, box));
+        assertTrue(frustum.nearest(box, 0) <= t * (1 + 1e-12), () -> describe(tile, corner, box));
+      }
+    });
+    assertTrue(asked[0] > 500 || kind == Tiles.Kind.ANY, () -> asked[0] + " points");
+  }
+
   @Test
   void aTreeInALeafLeavesTheOuterOneItsAllowanceForRounding() {
     Trials.of(100, random -> {

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.math.BigDecimal;
 import java.util.Random;
 
 import org.junit.jupiter.api.Test;
@@ -83,6 +84,16 @@ class BoundingBoxTest {
   }
 
   @Test
+  void everySideOfAComputedBoxIsRoundedOutwards() {
+    final BoundingBox box = BoundingBox.between(0.1, 0.2, 0.7, 1.1, 1.3, 1.7);
+    assertTrue(box.minX() < 0.1 && box.minY() < 0.2 && box.minZ() < 0.7, box::toString);
+    assertTrue(box.maxX() > 1.1 && box.maxY() > 1.3 && box.maxZ() > 1.7, box::toString);
+    final BoundingBox mirrored = BoundingBox.between(-1.1, -1.3, -1.7, -0.1, -0.2, -0.7);
+    assertTrue(mirrored.minX() < -1.1 && mirrored.minY() < -1.3 && mirrored.minZ() < -1.7, mirrored::toString);
+    assertTrue(mirrored.maxX() > -0.1 && mirrored.maxY() > -0.2 && mirrored.maxZ() > -0.7, mirrored::toString);
+  }
+
+  @Test
   void computedBoxOfNaNIsUnbounded() {
     assertSame(BoundingBox.UNBOUNDED, BoundingBox.around(0, Double.NaN, 0, 1, 1, 1));
     assertSame(BoundingBox.UNBOUNDED, BoundingBox.around(0, 0, 0, 1, 1, Double.NaN));
@@ -138,6 +149,54 @@ class BoundingBoxTest {
           z / length),
           () -> box + " and a ray at " + P + " along " + x + ", " + y + ", " + z);
     });
+  }
+
+  /** Rays at edges, where the rounding of double decides: none that meets the box, computed exactly, is said to pass it by. */
+  @Test
+  void noRayThatExactlyMeetsItPassesItBy() {
+    final int[] meet = {0};
+    Trials.of(4000, random -> {
+      final Point3D P = point(random, 1), Q = point(random, 1);
+      final float[] min = {Math.min(P.x, Q.x), Math.min(P.y, Q.y), Math.min(P.z, Q.z)};
+      final float[] max = {Math.max(P.x, Q.x), Math.max(P.y, Q.y), Math.max(P.z, Q.z)};
+      final double[] start = new double[3], direction = new double[3];
+      final double k = random.nextDouble();
+      for (int i = 0; i < 3; i++) {
+        start[i] = 3 * random.nextGaussian();
+        final double edge = i == 2 ? min[2] + 0.5 * (max[2] - min[2]) : random.nextBoolean() ? min[i] : max[i];
+        direction[i] = k * (edge - start[i]);
+      }
+      if (meetsExactly(min, max, start, direction)) {
+        meet[0]++;
+        assertTrue(new BoundingBox(corner(min), corner(max))
+            .isCrossedBy(start[0], start[1], start[2], direction[0], direction[1], direction[2]));
+      }
+    });
+    assertTrue(meet[0] > 1000, () -> meet[0] + " rays meet their box");
+  }
+
+  /** The test of slabs without rounding: entering and leaving distances are fractions, of which none is divided. */
+  private static boolean meetsExactly(final float[] min, final float[] max, final double[] start, final double[] direction) {
+    boolean meets = true;
+    for (int i = 0; i < 3; i++) {
+      for (int j = 0; j < 3; j++) {
+        final BigDecimal enter = times(direction[i] > 0 ? min[i] : max[i], start[i], direction[i], direction[j]);
+        final BigDecimal leave = times(direction[j] > 0 ? max[j] : min[j], start[j], direction[j], direction[i]);
+        meets &= enter.compareTo(leave) <= 0;
+      }
+      meets &= (direction[i] > 0 ? max[i] : min[i]) * direction[i] >= start[i] * direction[i];
+    }
+    return meets;
+  }
+
+  /** (side − start) · |other| with the sign of the direction: a distance times both lengths. */
+  private static BigDecimal times(final double side, final double start, final double direction, final double other) {
+    final BigDecimal way = new BigDecimal(side).subtract(new BigDecimal(start)).multiply(new BigDecimal(Math.abs(other)));
+    return direction > 0 ? way : way.negate();
+  }
+
+  private static Point3D corner(final float[] x) {
+    return new Point3D(x[0], x[1], x[2]);
   }
 
   private static Point3D point(final Random random, final float size) {

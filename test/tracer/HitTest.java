@@ -68,6 +68,8 @@ class HitTest {
   @Test
   void normalsOfAnyLengthAreBroughtToUnitLength() {
     for (final float k : new float[] {Float.MIN_VALUE, 1e-30f, 1e30f, Float.MAX_VALUE}) {
+      assertEquals(new Vector3D(-1, 0, 0), new Hit(1, new Point3D(), new Vector3D(-k, 0, 0), BALL).getNormal());
+      assertEquals(new Vector3D(0, 1, 0), new Hit(1, new Point3D(), new Vector3D(0, k, 0), BALL).getNormal());
       assertEquals(new Vector3D(0, 0, -1), new Hit(1, new Point3D(), new Vector3D(0, 0, -k), BALL).getNormal());
     }
   }
