@@ -151,7 +151,7 @@ class BoundingBoxTest {
     });
   }
 
-  /** Rays at edges, where the rounding of double decides: none that meets the box, computed exactly, is said to pass it by. */
+  /** Rays at edges, where the rounding of double decides: none that meets the box, exactly, is said to pass it by. */
   @Test
   void noRayThatExactlyMeetsItPassesItBy() {
     final int[] meet = {0};
