@@ -23,6 +23,9 @@ final class MarkupReader {
   /** More than this in one another, and the file is no scene; it keeps recursion over the tree shallow. */
   static final int DEEPEST = 200;
 
+  /** With the & and without the semicolon: &#1114111 and some more. */
+  private static final int LONGEST_REFERENCE = 13;
+
   private final String text;
   private final Problems problems;
   private final List<Comment> comments = new ArrayList<>();
@@ -156,11 +159,15 @@ final class MarkupReader {
   /** Reads a reference to an entity or to a character; one that means nothing is told and stands for itself. */
   private String reference() {
     final int start = at++;
-    final int semicolon = text.indexOf(';', start);
-    final String name = semicolon < 0 || semicolon - start > 12 ? "" : text.substring(start + 1, semicolon);
+    final int limit = Math.min(start + LONGEST_REFERENCE, text.length());
+    int semicolon = at;
+    while (semicolon < limit && text.charAt(semicolon) != ';') {
+      semicolon++;
+    }
+    final String name = semicolon == limit ? "" : text.substring(start + 1, semicolon);
     final String meaning = Reference.meaning(name);
     if (meaning == null) {
-      problems.error(start, "entity", Messages.quote(text.substring(start, Math.min(start + 12, text.length()))));
+      problems.error(start, "entity", Messages.quote(text.substring(start, Math.min(semicolon + 1, limit))));
       return "&";
     }
     at = semicolon + 1;

@@ -9,6 +9,10 @@ import java.util.Locale;
  */
 final class NearMiss {
 
+  /** Longer names, or one of more names than these, nobody has mistyped. */
+  private static final int LONGEST = 40;
+  private static final int MOST = 1000;
+
   private NearMiss() {
   }
 
@@ -17,19 +21,21 @@ final class NearMiss {
     String nearest = null;
     double least = Double.POSITIVE_INFINITY;
     for (final String name : known) {
-      final int distance = distance(found.toLowerCase(Locale.ROOT), name.toLowerCase(Locale.ROOT));
       final int allowed = Math.max(1, Math.min(found.length(), name.length()) / 3);
-      if (distance <= allowed && distance < Math.min(least, name.length()) && !found.equals(name)) {
-        nearest = name;
-        least = distance;
+      if (Math.abs(found.length() - name.length()) <= allowed && !found.equals(name)) {
+        final int distance = distance(found.toLowerCase(Locale.ROOT), name.toLowerCase(Locale.ROOT));
+        if (distance <= allowed && distance < Math.min(least, name.length())) {
+          nearest = name;
+          least = distance;
+        }
       }
     }
     return nearest;
   }
 
-  /** The question after a message, with a blank before it; nothing if no known name is near. */
+  /** The question after a message, with a blank before it; nothing if no known name is near, or if there are too many. */
   static String question(final String found, final Collection<String> known) {
-    final String name = found.length() > 40 ? null : of(found, known);
+    final String name = found.length() > LONGEST || known.size() > MOST ? null : of(found, known);
     return name == null ? "" : " " + Messages.text("didYouMean", name);
   }
 

@@ -63,7 +63,7 @@ final class ObjectReader {
 
   private void unknownId(final Element value, final String id, final Set<String> ids) {
     values.problems().error(value.valueOffset(), "unknownId", value.name(), Messages.quote(id),
-        NearMiss.question(id, ids));
+        values.problems().didYouMean(id, ids));
   }
 
   /** With illumination only a material counts; as it has no effect yet, a colour stands for it. */

@@ -78,7 +78,7 @@ public final class SceneReader {
       final Element image = root.name().equals("image") ? root : root.find("image");
       if (image == null) {
         problems.error(root.offset(), "noImage", Messages.quote(root.name()),
-            NearMiss.question(root.name(), List.of("image")));
+            problems.didYouMean(root.name(), List.of("image")));
         return null;
       }
       final Vocabulary vocabulary = new Vocabulary(problems);

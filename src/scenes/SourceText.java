@@ -9,6 +9,10 @@ final class SourceText {
   private final String text;
   private final int[] lineStarts;
 
+  /** A place whose column was asked for last: in a file of one long line, the next is counted from there. */
+  private int knownOffset;
+  private int knownColumn = 1;
+
   SourceText(final String file, final String text) {
     this.file = file;
     this.text = text;
@@ -49,7 +53,10 @@ final class SourceText {
   }
 
   int column(final int offset) {
-    final int start = lineStarts[line(offset) - 1];
-    return text.codePointCount(start, Math.min(offset, text.length())) + 1;
+    final int start = lineStarts[line(offset) - 1], end = Math.min(offset, text.length());
+    final boolean goesOn = knownOffset >= start && knownOffset <= end;
+    knownColumn = (goesOn ? knownColumn : 1) + text.codePointCount(goesOn ? knownOffset : start, end);
+    knownOffset = end;
+    return knownColumn;
   }
 }

@@ -72,15 +72,32 @@ final class Values {
 
   /** Line of an element that stands in a comment within another; 0 if there is none. */
   private int commentedOut(final Element element, final String name) {
-    for (final MarkupReader.Comment comment : comments) {
-      final boolean within = comment.offset() > element.offset() && comment.offset() < element.end();
-      final int at = within ? comment.text().indexOf('<' + name) : -1;
+    if (problems.isFull()) {
+      return 0;
+    }
+    for (int i = firstComment(element.offset()); i < comments.size() && comments.get(i).offset() < element.end(); i++) {
+      final MarkupReader.Comment comment = comments.get(i);
+      final int at = comment.text().indexOf('<' + name);
       final int after = at + name.length() + 1;
       if (at >= 0 && after < comment.text().length() && " \t\r\n/>".indexOf(comment.text().charAt(after)) >= 0) {
         return problems.source().line(comment.offset() + 4 + at);
       }
     }
     return 0;
+  }
+
+  /** Number of the first comment after an offset; they are in the order of the file. */
+  private int firstComment(final int offset) {
+    int from = 0, to = comments.size();
+    while (from < to) {
+      final int middle = (from + to) >>> 1;
+      if (comments.get(middle).offset() > offset) {
+        to = middle;
+      } else {
+        from = middle + 1;
+      }
+    }
+    return from;
   }
 
   /** A number that must be there; NaN if it is not, or is out of its range. */
@@ -285,7 +302,7 @@ final class Values {
       return value;
     }
     problems.error(element.attribute(name).offset(), "unknownType", element.name(), Messages.quote(value),
-        String.join(", ", known), NearMiss.question(value, known));
+        String.join(", ", known), problems.didYouMean(value, known));
     return null;
   }
 
@@ -297,7 +314,7 @@ final class Values {
       return value;
     }
     problems.error(found.valueOffset(), "unknownType", name, Messages.quote(value), String.join(", ", known),
-        NearMiss.question(value, known));
+        problems.didYouMean(value, known));
     return null;
   }
 }

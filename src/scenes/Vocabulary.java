@@ -1,6 +1,7 @@
 package scenes;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -61,14 +62,25 @@ final class Vocabulary {
   private final Problems problems;
   private final Map<String, Set<String>> children = new LinkedHashMap<>();
 
+  /** What an element may hold, whatever its type. */
+  private final Map<String, Set<String>> ofAnyType = new HashMap<>();
+
   Vocabulary(final Problems problems) {
     this.problems = problems;
     for (final String row : ROWS) {
       final int colon = row.indexOf(':');
       final Set<String> names = new LinkedHashSet<>(List.of(row.substring(colon + 1).strip().split(" ")));
       names.remove("");
-      children.put(row.substring(0, colon), names);
+      final String section = row.substring(0, colon);
+      children.put(section, names);
+      ofAnyType.computeIfAbsent(element(section), name -> new LinkedHashSet<>()).addAll(names);
     }
+  }
+
+  /** The element of a row, without its type. */
+  private static String element(final String section) {
+    final int blank = section.indexOf(' ');
+    return blank < 0 ? section : section.substring(0, blank);
   }
 
   /** The names of all elements but {@code image}. */
@@ -146,7 +158,7 @@ final class Vocabulary {
       problems.warning(element.offset(), "misplaced", name, section.name(), home(name));
     } else {
       problems.warning(element.offset(), "unknownElement", Messages.quote(name), section.name(),
-          NearMiss.question(name, allowed));
+          problems.didYouMean(name, allowed));
     }
   }
 
@@ -156,7 +168,7 @@ final class Vocabulary {
       final String name = attribute.name();
       if (!allowed.contains(name) && !name.startsWith("xmlns") && name.indexOf(':') < 0) {
         problems.warning(attribute.offset(), "unknownAttribute", Messages.quote(name), element.name(),
-            NearMiss.question(name, allowed));
+            problems.didYouMean(name, allowed));
       }
     }
   }
@@ -175,23 +187,15 @@ final class Vocabulary {
     return ofType == null ? all(section.name()) : ofType;
   }
 
-  /** What an element may hold, whatever its type. */
   private Set<String> all(final String name) {
-    final Set<String> all = new LinkedHashSet<>();
-    for (final Map.Entry<String, Set<String>> row : children.entrySet()) {
-      if (row.getKey().equals(name) || row.getKey().startsWith(name + ' ')) {
-        all.addAll(row.getValue());
-      }
-    }
-    return all;
+    return ofAnyType.getOrDefault(name, Set.of());
   }
 
   /** The element of the language in which a name belongs; null if it is none of the language. */
   private String home(final String name) {
     for (final Map.Entry<String, Set<String>> row : children.entrySet()) {
       if (row.getValue().contains(name)) {
-        final int blank = row.getKey().indexOf(' ');
-        return blank < 0 ? row.getKey() : row.getKey().substring(0, blank);
+        return element(row.getKey());
       }
     }
     return null;

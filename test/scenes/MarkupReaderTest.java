@@ -81,7 +81,7 @@ class MarkupReaderTest {
 
   @ParameterizedTest
   @CsvSource(delimiter = '|', quoteCharacter = '~', value = {
-    "<a>&nope; &b</a>|f:1:4: `&nope; &b</a` is no entity: expected `&lt;`, `&gt;`, `&amp;`, `&quot;`, `&apos;` or a "
+    "<a>&nope; &b</a>|f:1:4: `&nope;` is no entity: expected `&lt;`, `&gt;`, `&amp;`, `&quot;`, `&apos;` or a "
         + "number such as "
         + "`&#241;` (write `&amp;` for `&`)",
     "<a b='1' b='2'/>|f:1:10: attribute `b` is given twice: expected once",

@@ -3,11 +3,13 @@ package scenes;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 
@@ -16,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import primitives.Point3D;
 import primitives.Vector3D;
@@ -104,6 +107,31 @@ class SceneReaderTest {
         "27:15: `radius` is out of range: found `0.0e9`, expected a number such as 2.5, radius > 0");
     assertProblems(files.readWith("<W>40</W>", "<W>2147483648</W>"),
         "4:8: `W` is too large: found `2147483648`, expected a whole number, W >= 1, at most 2147483647");
+  }
+
+  /** Each of these texts, some hundred thousand times in a file, took minutes to be read. */
+  @ParameterizedTest
+  @ValueSource(strings = {"&&&&&&&&&&", "<object><x/></object>", "<!-- <W> --><raster/>", "ñ<x/>",
+    "<object><modelId>bal</modelId></object>", "<model id='ID' type='sphere'/><object><modelId>ID0</modelId></object>"})
+  void filesMadeOfProblemsAreReadSoon(final String text) {
+    final StringBuilder many = new StringBuilder("<image><models/><scene>");
+    for (int i = 0; i < 100_000; i++) {
+      many.append(text.replace("ID", Integer.toString(i)));
+    }
+    final Reading reading = assertTimeoutPreemptively(Duration.ofSeconds(20), () -> files.read(many + "</scene></image>"));
+    assertTrue(reading.scene().isEmpty());
+    assertEquals(Problems.MOST + 1, reading.problems().size());
+    final Problem last = reading.problems().get(Problems.MOST);
+    assertTrue(last.isError() && last.message().startsWith("problems that are not told any more, from here on: "),
+        last::toString);
+  }
+
+  @Test
+  void warningsAreNoErrorsHoweverMany() {
+    final Reading reading = files.readWith("<raster>", "<x/>".repeat(2 * Problems.MOST) + "<raster>");
+    assertTrue(reading.scene().isPresent());
+    assertEquals("3:4003: warning: problems that are not told any more, from here on: " + Problems.MOST,
+        reading.problems().get(Problems.MOST).toString().replaceFirst("^[^:]*:", ""));
   }
 
   @Test
