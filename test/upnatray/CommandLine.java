@@ -37,8 +37,31 @@ final class CommandLine {
     return other;
   }
 
+  /**
+   * Starts the program so that an interruption reaches it. NetBeans is deaf to interruptions, as is all that a shell starts
+   * in the background, and so would be whatever they start in turn.
+   */
+  Process startInterruptible(final String... args) throws IOException, InterruptedException {
+    final List<String> hearing = List.of("env", "--default-signal=INT");
+    return start(works(hearing, "true") ? hearing : List.of(), args);
+  }
+
+  private static boolean works(final List<String> prefix, final String program) throws InterruptedException {
+    final List<String> command = new ArrayList<>(prefix);
+    command.add(program);
+    try {
+      return new ProcessBuilder(command).start().waitFor() == 0;
+    } catch (final IOException missing) {
+      return false;
+    }
+  }
+
   Process start(final String... args) throws IOException {
-    final List<String> command = new ArrayList<>();
+    return start(List.of(), args);
+  }
+
+  private Process start(final List<String> prefix, final String... args) throws IOException {
+    final List<String> command = new ArrayList<>(prefix);
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of("-Djava.awt.headless=true", "-Duser.language=en", "-Duser.country=US", "-cp", classPath()));
     command.addAll(flags);

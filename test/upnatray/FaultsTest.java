@@ -150,7 +150,7 @@ class FaultsTest {
     assumeTrue(Files.exists(Path.of("/bin/kill")) || Files.exists(Path.of("/usr/bin/kill")), "no kill here");
     final String object = SCENE.substring(SCENE.indexOf("<object>"), SCENE.indexOf("</scene>"));
     Files.writeString(folder.resolve("slow.xml"), SCENE.replace("300", "1200").replace(object, object.repeat(300)));
-    final Process process = program.start("slow.xml", "-o", "t.png", "--threads", "1");
+    final Process process = program.startInterruptible("slow.xml", "-o", "t.png", "--threads", "1");
     awaitCpu(process, 3);
     final long start = System.nanoTime();
     assertEquals(0, new ProcessBuilder("kill", "-INT", Long.toString(process.pid())).start().waitFor());
@@ -181,7 +181,7 @@ class FaultsTest {
     assumeTrue(Files.exists(Path.of("/bin/kill")) || Files.exists(Path.of("/usr/bin/kill")), "no kill here");
     final String[] many = new String[2000];
     Arrays.fill(many, "t.xml");
-    final Process process = program.start(many);
+    final Process process = program.startInterruptible(many);
     awaitCpu(process, 2);
     assertEquals(0, new ProcessBuilder("kill", "-INT", Long.toString(process.pid())).start().waitFor());
     final CommandLine.Result result = program.end(process);
