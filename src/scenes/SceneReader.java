@@ -3,6 +3,7 @@ package scenes;
 import static arguments.Arguments.notNull;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -43,10 +44,11 @@ public final class SceneReader {
   public static Reading read(final Path file) {
     notNull("file", file);
     try {
-      if (Files.size(file) > LARGEST && Files.isRegularFile(file)) {
+      final byte[] bytes = bytes(file);
+      if (bytes.length > LARGEST) {
         return unreadable(file, "tooLarge", LARGEST >> 20);
       }
-      final Decoding decoding = Decoding.of(Files.readAllBytes(file));
+      final Decoding decoding = Decoding.of(bytes);
       final SceneReader reader = new SceneReader(file, new SourceText(file.toString(), decoding.text()));
       if (decoding.warning() != null) {
         reader.problems.warning(0, decoding.warning(), Messages.quote(decoding.encoding()));
@@ -61,6 +63,13 @@ public final class SceneReader {
     } catch (final IOException failure) {
       final String reason = failure.getClass().getSimpleName() + ": " + failure.getMessage();
       return Files.isDirectory(file) ? unreadable(file, "fileIsFolder") : unreadable(file, "unreadable", reason);
+    }
+  }
+
+  /** The bytes of a file, at most one more than are allowed: some files, such as devices, have no end. */
+  private static byte[] bytes(final Path file) throws IOException {
+    try (InputStream in = Files.newInputStream(file)) {
+      return in.readNBytes((int) LARGEST + 1);
     }
   }
 

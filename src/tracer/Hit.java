@@ -55,6 +55,12 @@ public final class Hit {
     this.normalY = ny / length;
     this.normalZ = nz / length;
     this.object = object;
+    assert object == null || isDistance(t) : t;
+    assert object == null || isUnit(normalX, normalY, normalZ) : "no unit normal: " + nx + ", " + ny + ", " + nz;
+  }
+
+  private static boolean isUnit(final double x, final double y, final double z) {
+    return Math.abs(x * x + y * y + z * z - 1) < 1e-12;
   }
 
   private Hit() {

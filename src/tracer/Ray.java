@@ -55,6 +55,7 @@ public final class Ray {
 
   private Ray(final Point3D R, final double x, final double y, final double z) {
     this(R.x, R.y, R.z, x, y, z, 1 / Math.sqrt(x * x + y * y + z * z));
+    assert Math.abs(directionX * directionX + directionY * directionY + directionZ * directionZ - 1) < 1e-12 : this;
   }
 
   /** Rounds the scaled direction to floats, and brings what they are to unit length in double. */

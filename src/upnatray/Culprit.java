@@ -1,5 +1,7 @@
 package upnatray;
 
+import static arguments.Arguments.notNull;
+
 import models.AffineTransformation;
 import models.Group3D;
 import models.Object3D;
@@ -42,30 +44,32 @@ final class Culprit {
       final int height) {
     for (int row = n; row < n + height; row++) {
       for (int column = m; column < m + width; column++) {
-        final Ray ray = rayOf(column, row);
-        final Object3D object = ray == null ? null : failing(scene, ray);
-        if (object != null) {
-          return new IllegalStateException(
-              Messages.text("objectFails", object.getClass().getName(), column, row, ray, failure), failure);
+        final String fault = fault(column, row, failure);
+        if (fault != null) {
+          return new IllegalStateException(fault, failure);
         }
       }
     }
     return null;
   }
 
-  private Ray rayOf(final int m, final int n) {
+  /** What fails at a pixel, in words; null if nothing does. */
+  private String fault(final int m, final int n, final Throwable failure) {
+    final Ray ray;
     try {
-      return generator.getRay(m, n);
-    } catch (RuntimeException generatorFails) {
-      return null;
+      ray = generator.getRay(m, n);
+    } catch (RuntimeException | StackOverflowError generatorFails) {
+      return Messages.text("rayFails", generator.getClass().getName(), m, n, failure);
     }
+    final String call = ray == null ? null : failing(scene, ray);
+    return call == null ? null : Messages.text("objectFails", call, m, n, ray, failure);
   }
 
-  /** The object within another that fails for a ray; null if there is none. */
-  private static Object3D failing(final Object3D object, final Ray ray) {
+  /** The method that fails for a ray, of an object or of one within it; null if there is none. */
+  private static String failing(final Object3D object, final Ray ray) {
     if (object instanceof Group3D) {
       for (final Object3D part : ((Group3D) object).getObjects()) {
-        final Object3D failing = failing(part, ray);
+        final String failing = failing(part, ray);
         if (failing != null) {
           return failing;
         }
@@ -75,10 +79,24 @@ final class Culprit {
     if (object instanceof AffineTransformation) {
       return failing(((AffineTransformation) object).getObject(), ((AffineTransformation) object).rayToObject(ray));
     }
+    final String name = object.getClass().getName();
+    if (fails(object::getBoundingBox)) {
+      return name + ".getBoundingBox";
+    }
+    if (fails(() -> notNull("hit", object.intersectionWith(ray)))) {
+      return name + ".intersectionWith";
+    }
+    final Object3D painted = object.intersectionWith(ray).getObject();
+    return painted != null && fails(() -> notNull("color", painted.getColor())) ? painted.getClass().getName() + ".getColor"
+        : null;
+  }
+
+  private static boolean fails(final Runnable call) {
     try {
-      return object.intersectionWith(ray) == null ? object : null;
+      call.run();
+      return false;
     } catch (RuntimeException | StackOverflowError itFails) {
-      return object;
+      return true;
     }
   }
 }

@@ -5,7 +5,9 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.StringJoiner;
 
@@ -134,6 +136,23 @@ final class Options {
     }
     if (check && scenes.isEmpty() && !help && !version) {
       throw new UsageException("nothingToCheck");
+    }
+    if (window && (noWindow || check || output != null || scenes.size() > 1)) {
+      throw new UsageException("windowAlone");
+    }
+    if (!check && !window) {
+      checkTargets();
+    }
+  }
+
+  /** Two scenes of one name in different folders would be written to the same file. */
+  private void checkTargets() throws UsageException {
+    final Map<Path, Path> sceneOf = new HashMap<>();
+    for (final Path scene : scenes) {
+      final Path other = sceneOf.putIfAbsent(target(scene).toAbsolutePath().normalize(), scene);
+      if (other != null && !other.equals(scene)) {
+        throw new UsageException("sameTarget", other, scene, target(scene));
+      }
     }
   }
 

@@ -4,6 +4,8 @@ import static arguments.Arguments.notNull;
 import static arguments.Arguments.positive;
 
 import java.awt.Color;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 
@@ -74,8 +76,8 @@ public final class RenderJob {
     try {
       final Rendering rendering = new Rendering(threads, shading(), progress);
       final boolean completed = (numbers == null ? image : numbers).synthesis(objects(), scene.camera(), rendering);
-      if (completed && numbers != null) {
-        paint(0, 0, image.getWidth(), image.getHeight());
+      for (int y = 0; numbers != null && y < image.getHeight(); y++) {
+        paint(0, y, image.getWidth(), 1);
       }
       return completed;
     } finally {
@@ -116,17 +118,21 @@ public final class RenderJob {
     if (view == View.COST) {
       others.addObject(new CostField(scene.objects()));
     } else {
-      tag(scene.objects(), others);
+      final List<Object3D> all = new ArrayList<>();
+      collect(scene.objects(), all);
+      for (int i = 0; i < all.size(); i++) {
+        others.addObject(new TaggedObject(all.get(i), i));
+      }
     }
     return others;
   }
 
-  private static void tag(final Group3D group, final Group3D tagged) {
+  private static void collect(final Group3D group, final List<Object3D> all) {
     for (final Object3D object : group.getObjects()) {
       if (object instanceof Group3D part) {
-        tag(part, tagged);
+        collect(part, all);
       } else {
-        tagged.addObject(new TaggedObject(object, tagged.getObjects().size()));
+        all.add(object);
       }
     }
   }

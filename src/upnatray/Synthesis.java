@@ -49,21 +49,32 @@ final class Synthesis {
   /** Computes all pixels, by the calling thread and others; answers whether it came to the end. */
   boolean run(final ThreadFactory factory) {
     final Thread[] helpers = new Thread[Math.min(rendering.threads(), tiles) - 1];
-    for (int i = 0; i < helpers.length; i++) {
-      helpers[i] = factory.newThread(this::work);
-      helpers[i].setDaemon(true);
-      helpers[i].start();
-    }
+    final int started = start(helpers, factory);
     work();
     boolean interrupted = false;
-    for (final Thread helper : helpers) {
-      interrupted |= await(helper);
+    for (int i = 0; i < started; i++) {
+      interrupted |= await(helpers[i]);
     }
     if (interrupted) {
       Thread.currentThread().interrupt();
     }
     rethrow(failure.get());
     return !stopped;
+  }
+
+  /** Starts threads, as many as the system allows: the image does not depend on their number. Answers how many. */
+  private int start(final Thread[] threads, final ThreadFactory factory) {
+    int started = 0;
+    try {
+      for (; started < threads.length; started++) {
+        threads[started] = factory.newThread(this::work);
+        threads[started].setDaemon(true);
+        threads[started].start();
+      }
+    } catch (OutOfMemoryError noMoreThreads) {
+      return started;
+    }
+    return started;
   }
 
   private void work() {
@@ -83,19 +94,19 @@ final class Synthesis {
   /** Computes the tile whose lowest leftmost pixel is (m, n). */
   private void compute(final int m, final int n, final RayTile rays, final TileHits hits) {
     final int width = Math.min(RayTile.SIZE, W - m), height = Math.min(RayTile.SIZE, H - n);
-    rays.open(width, height);
-    generator.fill(rays, m, n);
-    rays.close();
     try {
+      rays.open(width, height);
+      generator.fill(rays, m, n);
+      rays.close();
       hits.clear();
       scene.closestHits(rays, hits);
+      for (int row = 0; row < height; row++) {
+        paint(hits, row * RayTile.SIZE, width, (H - 1 - n - row) * W + m);
+      }
     } catch (RuntimeException e) {
       throw new Culprit(scene, generator).explain(e, m, n, width, height);
     } catch (StackOverflowError e) {
       throw new Culprit(scene, generator).explain(e, m, n, width, height);
-    }
-    for (int row = 0; row < height; row++) {
-      paint(hits, row * RayTile.SIZE, width, (H - 1 - n - row) * W + m);
     }
     if (!rendering.progress().tileDone(m, H - n - height, width, height)) {
       stopped = true;

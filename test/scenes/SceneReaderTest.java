@@ -15,6 +15,8 @@ import java.util.Locale;
 
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -124,6 +126,13 @@ class SceneReaderTest {
     final Problem last = reading.problems().get(Problems.MOST);
     assertTrue(last.isError() && last.message().startsWith("problems that are not told any more, from here on: "),
         last::toString);
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void aFileWithoutAnEndIsTooLarge() {
+    assertEquals("[/dev/zero: the file is larger than 64 MB: that is no scene file]",
+        SceneReader.read(Path.of("/dev/zero")).problems().toString());
   }
 
   @Test

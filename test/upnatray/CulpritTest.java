@@ -14,6 +14,7 @@ import models.AffineTransformation;
 import models.Group3D;
 import models.Object3D;
 import models.Sphere;
+import primitives.BoundingBox;
 import primitives.Point3D;
 import primitives.Vector3D;
 import tracer.Hit;
@@ -113,5 +114,39 @@ class CulpritTest {
     }
     final String message = messageOf(object).getMessage();
     assertTrue(message.startsWith("objects lie within too many transformations"), message);
+  }
+
+  /** A sphere without a colour, and a box that asks itself. */
+  private static final class Careless extends Object3D {
+
+    private final boolean hasBox;
+
+    Careless(final boolean hasBox) {
+      super(Color.RED);
+      this.hasBox = hasBox;
+    }
+
+    @Override
+    public Color getColor() {
+      return null;
+    }
+
+    @Override
+    public BoundingBox getBoundingBox() {
+      return hasBox ? BoundingBox.UNBOUNDED : getBoundingBox();
+    }
+
+    @Override
+    public Hit intersectionWith(final Ray ray) {
+      return new Hit(1, ray.pointAtParameter(1), new Vector3D(0, 0, 1), this);
+    }
+  }
+
+  @Test
+  void namesTheMethodThatFailed() {
+    final String box = messageOf(new Careless(false)).getMessage();
+    assertTrue(box.startsWith("upnatray.CulpritTest$Careless.getBoundingBox failed at pixel"), box);
+    final String colour = messageOf(new Careless(true)).getMessage();
+    assertTrue(colour.startsWith("upnatray.CulpritTest$Careless.getColor failed at pixel (0, 0)"), colour);
   }
 }

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.util.Random;
+import java.util.concurrent.atomic.AtomicInteger;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -179,5 +180,28 @@ class ImageTest {
     final Image image = new Image(32, 32, BACKGROUND);
     image.synthesis(scene, camera, Rendering.STANDARD.withShading(Shading.FACING));
     assertArrayEquals(SingleRays.pixels(scene, camera, 32, 32, BACKGROUND.getRGB(), Shading.FACING), pixels(image));
+  }
+
+  /** A system that allows no more threads answers so when one is started. */
+  @Test
+  void theThreadsThatThereAreDoTheWork() {
+    final Group3D scene = new Group3D();
+    scene.addObject(new Sphere(new Point3D(), 1, Color.RED));
+    final Camera camera = new Camera(new Point3D(0, 0, 5), new Point3D(), new Vector3D(0, 1, 0));
+    camera.setProjection(new Perspective(60, 1));
+    final Image alone = new Image(90, 70, Color.BLUE), few = new Image(90, 70, Color.BLUE);
+    alone.synthesis(scene, camera);
+    final AtomicInteger threads = new AtomicInteger();
+    assertTrue(few.synthesis(scene, camera, Rendering.STANDARD.withThreads(9), work -> new Thread(work) {
+      @Override
+      public synchronized void start() {
+        if (threads.incrementAndGet() > 3) {
+          throw new OutOfMemoryError("unable to create native thread");
+        }
+        super.start();
+      }
+    }));
+    assertEquals(4, threads.get());
+    assertArrayEquals(alone.getRGB(0, 0, 90, 70, null, 0, 90), few.getRGB(0, 0, 90, 70, null, 0, 90));
   }
 }

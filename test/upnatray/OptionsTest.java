@@ -49,10 +49,18 @@ class OptionsTest {
   @ParameterizedTest
   @ValueSource(strings = {"--widht 3", "-x", "--width", "--width=", "--width x", "--width 0", "--width -5", "--width "
       + "1e3", "--width 99999999999", "-o",
-    "--check=yes a.xml", "--help=1", "--check", "--threads 0"})
+    "--check=yes a.xml", "--help=1", "--check", "--threads 0",
+    "a.xml b.xml --window", "a.xml --window -o b.png", "a.xml --window --check", "a.xml --window --no-window",
+    "p/a.xml q/a.xml", "p/a.xml p/a -o x"})
   void wrongUsageIsTold(final String args) {
     final UsageException wrong = assertThrows(UsageException.class, () -> Options.of(args.split(" ")));
     assertTrue(wrong.getMessage().length() > 10);
+  }
+
+  @Test
+  void scenesThatAreWrittenToNoFileOrAreTheSameMayHaveOneName() throws UsageException {
+    assertEquals(2, Options.of("p/a.xml", "q/a.xml", "--check").scenes().size());
+    assertEquals(2, Options.of("p/a.xml", "p/a.xml").scenes().size());
   }
 
   @Test

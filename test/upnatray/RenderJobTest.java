@@ -113,6 +113,25 @@ class RenderJobTest {
   }
 
   @Test
+  void aPictureOfNumbersThatIsCancelledHasOneScale() {
+    final RenderJob job = new RenderJob(everyShape(), View.DEPTH, 320, 240, 1);
+    final AtomicInteger tiles = new AtomicInteger();
+    assertFalse(job.run((x, y, width, height) -> tiles.incrementAndGet() < 60));
+    final ColourScale scale = job.scale().orElseThrow();
+    final RayGenerator rays = everyShape().camera().getRayGenerator(320, 240);
+    int shown = 0;
+    for (int i = 0; i < 320 * 240; i++) {
+      final int argb = job.image().getRGB(i % 320, i / 320);
+      if (argb != 0) {
+        shown++;
+        final Hit hit = everyShape().objects().intersectionWith(rays.getRay(i % 320, 239 - i / 320));
+        assertEquals(scale.argb(hit.getT()), argb);
+      }
+    }
+    assertTrue(shown > 1000, "only " + shown);
+  }
+
+  @Test
   void eachObjectHasAColourOfItsOwn() {
     final Object3D[] objects = new Object3D[12];
     for (int i = 0; i < objects.length; i++) {
