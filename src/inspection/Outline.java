@@ -5,6 +5,7 @@ import static arguments.Arguments.positive;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 import models.Group3D;
 import models.Object3D;
@@ -15,7 +16,6 @@ import primitives.Vector3D;
 import scenes.Scene;
 import tracer.Hit;
 import tracer.Ray;
-import view.Angular;
 import view.Camera;
 import view.Orthographic;
 import view.Projection;
@@ -44,7 +44,7 @@ public final class Outline {
     WINDOW,
     /** The pixels in the window. */
     GRID,
-    /** From the camera through the corners of the window. */
+    /** From the camera through the corners of the window, or through the rim of a fish-eye. */
     FRUSTUM,
     /** The box of an object. */
     BOX,
@@ -204,24 +204,31 @@ public final class Outline {
 
   private void addCamera() {
     final Projection projection = camera.getProjection();
-    final float w = projection.getWidth() / 2, h = projection.getHeight() / 2;
-    final boolean parallel = projection instanceof Orthographic;
-    final float z = parallel ? 0 : -1, length = Math.max(1, 0.1f * size());
+    final Optional<Cap> cap = Cap.of(projection);
+    final float w = projection.getWidth() / 2, h = projection.getHeight() / 2, length = Math.max(1, 0.1f * size());
+    final float z = projection instanceof Orthographic ? 0 : cap.map(fishEye -> (float) fishEye.z(w)).orElse(-1f);
     add(Kind.AXIS_X, 0, 0, 0, length, 0, 0);
     add(Kind.AXIS_Y, 0, 0, 0, 0, length, 0);
     add(Kind.AXIS_Z, 0, 0, 0, 0, 0, length);
     addGrid(w, h, z);
-    final float far = Math.max(1, 0.5f * size());
-    for (int corner = 0; corner < 4; corner++) {
-      final float x = (corner & 1) == 0 ? -w : w, y = (corner & 2) == 0 ? -h : h;
-      add(Kind.FRUSTUM, parallel ? x : 0, parallel ? y : 0, 0, parallel ? x : far * x, parallel ? y : far * y, -far);
-    }
     add(Kind.WINDOW, -w, -h, z, w, -h, z);
     add(Kind.WINDOW, w, -h, z, w, h, z);
     add(Kind.WINDOW, w, h, z, -w, h, z);
     add(Kind.WINDOW, -w, h, z, -w, -h, z);
-    if (projection instanceof Angular) {
-      addRim(w);
+    cap.ifPresent(this::addCap);
+    for (final int sign : new int[] {-1, 1}) {
+      addFrustum(sign * w, cap.isPresent() ? 0 : sign * h, z);
+      addFrustum(cap.isPresent() ? 0 : -sign * w, sign * h, z);
+    }
+  }
+
+  /** The line of sight through a point of the window. */
+  private void addFrustum(final float x, final float y, final float z) {
+    final float far = Math.max(1, 0.5f * size());
+    if (camera.getProjection() instanceof Orthographic) {
+      add(Kind.FRUSTUM, x, y, z, x, y, z - far);
+    } else {
+      add(Kind.FRUSTUM, 0, 0, 0, far * x, far * y, far * z);
     }
   }
 
@@ -245,18 +252,17 @@ public final class Outline {
     return step;
   }
 
-  /** The rim of the fish-eye's cap, and two arcs across the cap. */
-  private void addRim(final float rim) {
+  /** The rim of a fish-eye's cap, and two arcs across the cap. */
+  private void addCap(final Cap cap) {
     final int parts = 48;
-    final double radius = Math.sqrt(1 + rim * rim);
+    final float z = (float) cap.z(cap.rim());
     for (int i = 0; i < parts; i++) {
       final double a = 2 * Math.PI * i / parts, b = 2 * Math.PI * (i + 1) / parts;
-      add(Kind.WINDOW, (float) (rim * Math.cos(a)), (float) (rim * Math.sin(a)), -1,
-          (float) (rim * Math.cos(b)), (float) (rim * Math.sin(b)), -1);
-      final double s = 2.0 * rim * i / parts - rim, t = 2.0 * rim * (i + 1) / parts - rim;
-      final float zs = (float) -Math.sqrt(radius * radius - s * s), zt = (float) -Math.sqrt(radius * radius - t * t);
-      add(Kind.WINDOW, (float) s, 0, zs, (float) t, 0, zt);
-      add(Kind.WINDOW, 0, (float) s, zs, 0, (float) t, zt);
+      add(Kind.WINDOW, (float) (cap.rim() * Math.cos(a)), (float) (cap.rim() * Math.sin(a)), z,
+          (float) (cap.rim() * Math.cos(b)), (float) (cap.rim() * Math.sin(b)), z);
+      final double s = 2 * cap.rim() * i / parts - cap.rim(), t = 2 * cap.rim() * (i + 1) / parts - cap.rim();
+      add(Kind.WINDOW, (float) s, 0, (float) cap.z(s), (float) t, 0, (float) cap.z(t));
+      add(Kind.WINDOW, 0, (float) s, (float) cap.z(s), 0, (float) t, (float) cap.z(t));
     }
   }
 

@@ -6,7 +6,6 @@ import java.util.List;
 import primitives.Point3D;
 import primitives.Vector3D;
 import tracer.Ray;
-import view.Angular;
 import view.Camera;
 import view.Orthographic;
 import view.Perspective;
@@ -44,8 +43,8 @@ final class RayFormulas {
     } else if (projection instanceof Perspective) {
       add("z", "", "", -1);
       throughPoint((float) x, (float) y, -1);
-    } else if (projection instanceof Angular) {
-      angular(x, y, ray);
+    } else {
+      Cap.of(projection).ifPresent(cap -> throughCap(cap, x, y, ray));
     }
     return formulas;
   }
@@ -90,17 +89,18 @@ final class RayFormulas {
     return sum.toString();
   }
 
-  private void angular(final double x, final double y, final Ray ray) {
-    final double rim = projection.getWidth() / 2.0, rho = Math.hypot(x, y);
-    add("tan(ω/2)", "w / 2", Numbers.text(projection.getWidth()) + " / 2", rim);
+  private void throughCap(final Cap cap, final double x, final double y, final Ray ray) {
+    final double rho = Math.hypot(x, y);
+    add(cap.rimName(), "w / 2", Numbers.text(projection.getWidth()) + " / 2", cap.rim());
     add("ρ", "√(x² + y²)", "√(" + Numbers.text(x) + "² + " + Numbers.text(y) + "²)", rho);
     if (ray == Ray.NORAY) {
-      formulas.add(new Formula("R, v", "ρ > tan(ω/2)", Numbers.text(rho) + " > " + Numbers.text(rim), "NORAY"));
+      final String outside = Numbers.text(rho) + " > " + Numbers.text(cap.rim());
+      formulas.add(new Formula("R, v", "ρ > " + cap.rimName(), outside, "NORAY"));
       return;
     }
-    final double z = -Math.sqrt(1 + rim * rim - rho * rho);
-    add("z", "−√(1/cos²(ω/2) − ρ²)", "−√(" + Numbers.text(1 + rim * rim) + " − " + Numbers.text(rho * rho) + ")", z);
-    throughPoint((float) x, (float) y, (float) z);
+    final String numbers = "−√(" + Numbers.text(cap.radius2()) + " − " + Numbers.text(rho * rho) + ")";
+    add("z", "−√(" + cap.radius2Name() + " − ρ²)", numbers, cap.z(rho));
+    throughPoint((float) x, (float) y, (float) cap.z(rho));
   }
 
   private void add(final String symbol, final String general, final String numbers, final double value) {

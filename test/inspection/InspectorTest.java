@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Function;
 
@@ -23,7 +24,9 @@ import models.Torus;
 import primitives.BoundingBox;
 import primitives.Point3D;
 import primitives.Vector3D;
+import scenes.FishEye;
 import scenes.Scene;
+import scenes.SceneReader;
 import tracer.Hit;
 import tracer.Ray;
 import upnatray.Progress;
@@ -110,12 +113,29 @@ class InspectorTest {
   }
 
   @Test
+  void theLastFormulasAreTheRayOfASceneFileToo() {
+    final Scene scene = SceneReader.read(Path.of("scenes", "angular.xml")).scene().orElseThrow();
+    for (final int[] at : new int[][] {{400, 400}, {100, 300}, {1, 399}}) {
+      final PixelRay pixel = new Inspector(scene, 800, 800).inspect(at[0], at[1]).pixel();
+      final Formula last = pixel.formulas().get(pixel.formulas().size() - 1);
+      assertEquals("v", last.symbol());
+      final String[] numbers = last.value().replaceAll("[()]", "").split(", ");
+      final Vector3D given = pixel.ray().getDirection(), told = new Vector3D(
+          Float.parseFloat(numbers[0]), Float.parseFloat(numbers[1]), Float.parseFloat(numbers[2]));
+      told.sub(given);
+      assertEquals(0, told.length(), 1e-6f, pixel::toString);
+    }
+  }
+
+  @Test
   void outsideTheCircleOfAFishEyeThereIsNoRay() {
-    final Inspection corner = new Inspector(SampleScenes.of(new Angular(90), true), 30, 30).inspect(0, 0);
-    assertSame(Ray.NORAY, corner.pixel().ray());
-    assertEquals("NORAY", corner.pixel().formulas().get(corner.pixel().formulas().size() - 1).value());
-    assertEquals(ColourStep.Kind.NO_RAY, corner.colour().get(0).kind());
-    assertEquals(List.of(), corner.meetings());
+    for (final Projection fishEye : List.of(new Angular(90), new FishEye(90), new FishEye(180))) {
+      final Inspection corner = new Inspector(SampleScenes.of(fishEye, true), 30, 30).inspect(0, 0);
+      assertSame(Ray.NORAY, corner.pixel().ray());
+      assertEquals("NORAY", corner.pixel().formulas().get(corner.pixel().formulas().size() - 1).value());
+      assertEquals(ColourStep.Kind.NO_RAY, corner.colour().get(0).kind());
+      assertEquals(List.of(), corner.meetings());
+    }
   }
 
   @Test

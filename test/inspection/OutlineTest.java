@@ -1,9 +1,12 @@
 package inspection;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.function.Function;
 
 import org.junit.jupiter.api.Test;
 
@@ -11,7 +14,9 @@ import models.Plane;
 import models.Sphere;
 import primitives.Point3D;
 import primitives.Vector3D;
+import scenes.FishEye;
 import scenes.Scene;
+import scenes.SceneReader;
 import tracer.Hit;
 import tracer.Ray;
 import view.Angular;
@@ -53,6 +58,31 @@ class OutlineTest {
     final List<Outline.Line> lines = Outline.of(SampleScenes.of(new Orthographic(4, 1), true), 8, 8);
     assertEquals(5, first(lines, Outline.Kind.WINDOW).from().z, 1e-6f);
     assertEquals(7 + 7, count(lines, Outline.Kind.GRID));
+  }
+
+  /** The rim of the cap ends the view, and the cap is round about the camera, with its window where the rim is. */
+  private static void assertCap(final Scene scene, final double degrees, final double radius) {
+    final Point3D eye = scene.camera().getPosition();
+    final Vector3D look = scene.camera().getLook();
+    final Function<Point3D, Vector3D> seen = point -> new Vector3D(point.x - eye.x, point.y - eye.y, point.z - eye.z);
+    final List<Outline.Line> lines = Outline.of(scene, 64, 64);
+    final List<Outline.Line> sight = lines.stream().filter(line -> line.kind() == Outline.Kind.FRUSTUM).toList();
+    assertEquals(4, sight.size());
+    sight.forEach(line -> assertEquals(degrees / 2, Math.toDegrees(look.angle(seen.apply(line.to()))), 1e-3));
+    final List<Outline.Line> window = lines.stream().filter(line -> line.kind() == Outline.Kind.WINDOW).toList();
+    final double depth = radius * Math.cos(Math.toRadians(degrees / 2));
+    window.subList(0, 4).forEach(side -> assertEquals(depth, look.dot(seen.apply(side.from())), 1e-5));
+    for (final Outline.Line line : window.subList(4, window.size())) {
+      assertEquals(radius, seen.apply(line.to()).length(), 1e-5);
+      assertTrue(look.dot(seen.apply(line.to())) > depth - 1e-5);
+    }
+  }
+
+  @Test
+  void theCapOfAFishEyeIsDrawnWhereItsRaysGo() {
+    assertCap(SceneReader.read(Path.of("scenes", "angular.xml")).scene().orElseThrow(), 180, 1);
+    assertCap(SampleScenes.of(new FishEye(100), true), 100, 1);
+    assertCap(SampleScenes.of(new Angular(100), true), 100, 1 / Math.cos(Math.toRadians(50)));
   }
 
   @Test
