@@ -51,6 +51,7 @@ final class InspectorPanel extends JPanel {
     setPreferredSize(new Dimension(420, 400));
     setBorder(BorderFactory.createEmptyBorder(6, 8, 6, 8));
     final JPanel top = new JPanel(new BorderLayout(8, 0));
+    heading.setName("asked");
     swatch.setOpaque(true);
     swatch.setVisible(false);
     top.add(heading, BorderLayout.CENTER);
@@ -92,8 +93,8 @@ final class InspectorPanel extends JPanel {
     plot.setMarch(null);
   }
 
-  /** Shows why there is nothing to show yet. */
-  void showWaiting(final String why) {
+  /** Shows why there is nothing to show. */
+  void showNothing(final String why) {
     clear();
     heading.setText(why);
   }

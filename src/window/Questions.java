@@ -13,7 +13,7 @@ import upnatray.RenderJob;
 final class Questions {
 
   /** After so long without an answer it is shown that there will be one. */
-  private static final int SOON = 300;
+  static final int SOON = 300;
 
   private final RenderWindow window;
   private final Latest background = new Latest("inspector");
@@ -32,13 +32,13 @@ final class Questions {
       try {
         final Inspection inspection = new Inspector(job.scene(), W, H).inspect(m, n);
         SwingUtilities.invokeLater(() -> answered(asked, job, inspection));
-      } catch (final RuntimeException | StackOverflowError failure) {
-        SwingUtilities.invokeLater(() -> window.inspector().showWaiting(Failure.problem(failure).toString()));
+      } catch (final RuntimeException | Error failure) {
+        SwingUtilities.invokeLater(() -> failed(asked, failure));
       }
     });
     final Timer soon = new Timer(SOON, event -> {
       if (question == asked) {
-        window.inspector().showWaiting(Messages.text("inspector.waiting", m, n));
+        window.inspector().showNothing(Messages.text("inspector.waiting", m, n));
       }
     });
     soon.setRepeats(false);
@@ -50,6 +50,13 @@ final class Questions {
       question = null;
       window.inspector().show(inspection);
       window.dialogs().showRay(job, inspection);
+    }
+  }
+
+  private void failed(final Object asked, final Throwable failure) {
+    if (question == asked) {
+      question = null;
+      window.inspector().showNothing(Failure.problem(failure).toString());
     }
   }
 

@@ -28,6 +28,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.FutureTask;
 import java.util.prefs.Preferences;
 
@@ -48,6 +49,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 import inspection.SampleScenes;
 import models.Object3D;
+import models.Sphere;
+import primitives.Point3D;
 import scenes.Scene;
 import tracer.Hit;
 import tracer.Ray;
@@ -395,6 +398,71 @@ class RenderWindowTest {
     } finally {
       endless.ended = true;
     }
+  }
+
+  /** A ball whose colour can make the asking of a pixel fail, at once or when it is told to. */
+  private static final class Moody extends Sphere {
+
+    private final CountDownLatch release = new CountDownLatch(1);
+    private volatile boolean absent;
+    private volatile boolean late;
+
+    Moody() {
+      super(new Point3D(), 1, Color.RED);
+    }
+
+    @Override
+    public Color getColor() {
+      if (late) {
+        late = false;
+        try {
+          release.await();
+        } catch (final InterruptedException stopped) {
+          throw new IllegalStateException(stopped);
+        }
+        throw new IllegalStateException("too late");
+      }
+      return absent ? null : Color.RED;
+    }
+  }
+
+  private void openMoody(final Moody ball) throws Exception {
+    on(() -> {
+      window.open(SampleScenes.of(new Orthographic(3, 0.75f), true, ball));
+      return null;
+    });
+    waitFor(() -> !window.isRunning() && window.job() != null && window.job().image().getWidth() == 48);
+  }
+
+  @Test
+  void whyAPixelCannotBeAskedIsToldAndStays() throws Exception {
+    final Moody ball = new Moody();
+    openMoody(ball);
+    ball.absent = true;
+    on(() -> {
+      window.view().pin(new Point(24, 18));
+      return null;
+    });
+    waitFor(() -> label("asked").contains("NullPointerException"));
+    Thread.sleep(2 * Questions.SOON);
+    assertTrue(label("asked").contains("NullPointerException"), label("asked"));
+  }
+
+  @Test
+  void anAnswerStaysWhenAnEarlierQuestionFails() throws Exception {
+    final Moody ball = new Moody();
+    openMoody(ball);
+    ball.late = true;
+    on(() -> {
+      window.view().pin(new Point(24, 18));
+      return null;
+    });
+    waitFor(() -> !ball.late);
+    pin(23, 18);
+    final String answer = label("asked");
+    ball.release.countDown();
+    Thread.sleep(300);
+    assertEquals(answer, label("asked"));
   }
 
   @Test
