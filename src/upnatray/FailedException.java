@@ -3,7 +3,7 @@ package upnatray;
 import java.nio.file.Path;
 
 /** A picture that cannot be had; the message says why, to whom asked for it. */
-final class FailedException extends Exception {
+public final class FailedException extends Exception {
 
   private static final long serialVersionUID = 1L;
 

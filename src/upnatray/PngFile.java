@@ -1,5 +1,8 @@
 package upnatray;
 
+import static arguments.Arguments.notNull;
+
+import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -16,7 +19,7 @@ import java.nio.file.StandardOpenOption;
  * Saves images as PNG files that appear whole or not at all: an image is written to a hidden temporary file beside its
  * target, which is then moved into place in one step. Whatever happens before leaves the old file, or none.
  */
-final class PngFile {
+public final class PngFile {
 
   private PngFile() {
   }
@@ -24,10 +27,14 @@ final class PngFile {
   /**
    * Saves an image; the folder is made if it is not there.
    *
+   * @param image image of any type, such as an {@link Image}
+   * @param target where to; a file that is there is replaced
    * @throws FailedException if it cannot be saved; its message says why
+   * @throws IllegalArgumentException if an argument is null
    */
-  static void save(final BufferedImage image, final Path target) throws FailedException {
-    check(target);
+  public static void save(final BufferedImage image, final Path target) throws FailedException {
+    notNull("image", image);
+    check(notNull("target", target));
     final Path folder = folder(target);
     final Path temporary = folder.resolve(".upnatray-" + Long.toString(System.nanoTime(), 36) + ".tmp");
     try {
@@ -42,8 +49,19 @@ final class PngFile {
 
   private static void write(final BufferedImage image, final Path temporary) throws IOException {
     try (OutputStream out = Files.newOutputStream(temporary, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE)) {
-      PngWriter.write(image, out);
+      PngWriter.write(argb(image), out);
     }
+  }
+
+  private static BufferedImage argb(final BufferedImage image) {
+    if (image.getType() == BufferedImage.TYPE_INT_ARGB) {
+      return image;
+    }
+    final BufferedImage copy = new BufferedImage(image.getWidth(), image.getHeight(), BufferedImage.TYPE_INT_ARGB);
+    final Graphics2D g = copy.createGraphics();
+    g.drawImage(image, 0, 0, null);
+    g.dispose();
+    return copy;
   }
 
   private static void remove(final Path temporary, final IOException failure) {

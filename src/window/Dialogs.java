@@ -23,6 +23,8 @@ import inspection.Inspection;
 import inspection.Meeting;
 import inspection.Outline;
 import tracer.Hit;
+import upnatray.FailedException;
+import upnatray.PngFile;
 import upnatray.RenderJob;
 
 /** What opens beside the window: choosers of files, the comparison with a reference, the scene from outside. */
@@ -60,17 +62,16 @@ final class Dialogs {
   void save(final BufferedImage picture, final Path file) {
     try {
       final Path target = PictureFile.withEnding(file);
-      PictureFile.save(picture, target);
+      PngFile.save(picture, target);
       window.settings().setFolder(target.toAbsolutePath().getParent());
       window.status().showText(Messages.text("status.saved", target));
-    } catch (final IOException failure) {
-      complain("save.failed", file, failure);
+    } catch (final FailedException failure) {
+      complain(failure.getMessage());
     }
   }
 
-  private void complain(final String key, final Path file, final IOException failure) {
-    final String reason = failure.getMessage() == null ? failure.toString() : failure.getMessage();
-    JOptionPane.showMessageDialog(window.frame(), Messages.text(key, file, reason), "UPNaTRay", JOptionPane.ERROR_MESSAGE);
+  private void complain(final String message) {
+    JOptionPane.showMessageDialog(window.frame(), message, "UPNaTRay", JOptionPane.ERROR_MESSAGE);
   }
 
   private Optional<Path> choose(final String key, final String ending, final boolean toOpen, final String name) {
@@ -97,7 +98,8 @@ final class Dialogs {
       openComparison(file);
       compare();
     } catch (final IOException failure) {
-      complain("compare.failed", file, failure);
+      final String reason = failure.getMessage() == null ? failure.toString() : failure.getMessage();
+      complain(Messages.text("compare.failed", file, reason));
     }
   }
 

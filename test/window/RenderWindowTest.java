@@ -38,6 +38,7 @@ import javax.swing.Action;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
+import javax.swing.JOptionPane;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
 
@@ -484,6 +485,29 @@ class RenderWindowTest {
     assertNotEquals(pixel(worst.x, worst.y), ImageIO.read(file.toFile()).getRGB(worst.x, worst.y));
     press("compare.mask");
     assertFalse(on(() -> window.view().hasOverlay()));
+  }
+
+  @Test
+  void aFolderIsNotReplacedByAPictureAndThatIsTold() throws Exception {
+    final Path taken = Files.createDirectory(folder.resolve("taken.png"));
+    SwingUtilities.invokeLater(() -> window.dialogs().save(window.view().picture(), taken));
+    waitFor(() -> complaint() != null);
+    assertTrue(on(() -> complaint().getMessage().toString()).endsWith("there is a folder of this name"));
+    assertTrue(Files.isDirectory(taken));
+    on(() -> {
+      complaint().setValue(JOptionPane.OK_OPTION);
+      return null;
+    });
+  }
+
+  private static JOptionPane complaint() {
+    for (final Window open : Window.getWindows()) {
+      if (open.isShowing() && open instanceof JDialog dialog
+          && dialog.getContentPane().getComponent(0) instanceof JOptionPane pane) {
+        return pane;
+      }
+    }
+    return null;
   }
 
   @Test
