@@ -97,12 +97,13 @@ public final class RenderWindow {
     Arrangement.place(frame, settings.bounds());
   }
 
-  /** Opens a scene file, and watches it from now on. */
+  /** Opens a scene file, and watches it from now on. If it is none, such as a root, which has no name, that is told. */
   void open(final Path path) {
+    final Path folder = path.toAbsolutePath().getParent(), name = path.getFileName();
     settings.addRecent(path);
-    settings.setFolder(path.toAbsolutePath().getParent());
+    settings.setFolder(folder == null ? path : folder);
     menus.fillRecent();
-    begin(path.getFileName().toString());
+    begin((name == null ? path : name).toString());
     session.open(path);
   }
 

@@ -285,6 +285,18 @@ class RenderWindowTest {
   }
 
   @Test
+  void theRootOfTheFilesIsNoSceneAndThatIsListed() throws Exception {
+    final Path root = folder.getRoot();
+    on(() -> {
+      window.open(root);
+      return null;
+    });
+    waitFor(() -> window.problems().isVisible());
+    assertTrue(on(() -> window.frame().getTitle()).startsWith(root.toString()));
+    assertEquals(root, on(() -> window.settings().folder()));
+  }
+
+  @Test
   void viewsAndSizesAreChosenFromTheBar() throws Exception {
     on(() -> {
       ((javax.swing.JComboBox<?>) find("what")).setSelectedItem(View.DEPTH);
