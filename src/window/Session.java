@@ -80,6 +80,10 @@ final class Session {
     size = first;
   }
 
+  PictureSize size() {
+    return size;
+  }
+
   void setSize(final PictureSize next) {
     if (!next.equals(size)) {
       size = next;

@@ -70,7 +70,7 @@ final class ToolBar extends JToolBar {
     if (wanted.isPresent()) {
       window.setPictureSize(wanted.get());
     } else {
-      size.setSelectedItem(PictureSize.OWN.toString());
+      select(window.session().size());
     }
   }
 

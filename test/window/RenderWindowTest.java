@@ -313,6 +313,22 @@ class RenderWindowTest {
     assertEquals(120, on(() -> window.view().picture().getHeight()));
   }
 
+  @Test
+  void whatIsNoSizeGoesBackToTheOneBefore() throws Exception {
+    final javax.swing.JComboBox<?> size = (javax.swing.JComboBox<?>) find("size");
+    on(() -> {
+      size.setSelectedItem("25 %");
+      return null;
+    });
+    waitFor(() -> !window.isRunning() && window.job().image().getWidth() == 20);
+    on(() -> {
+      size.setSelectedItem("abc");
+      return null;
+    });
+    assertEquals("25 %", on(size::getSelectedItem));
+    assertEquals(new PictureSize(25, 0, 0), on(() -> window.session().size()));
+  }
+
   /** A shape that takes its time. */
   private static final class Slow extends Object3D {
 
