@@ -22,7 +22,10 @@ final class Axis {
   /**
    * An axis.
    *
-   * @param point name and value of the point come from the shape's constructor
+   * @param pointName the point's name in the shape's constructor, for messages
+   * @param point a point of the axis
+   * @param directionName the direction's name there
+   * @param direction the direction, of any length but 0
    * @throws IllegalArgumentException if an argument is null or not finite, or if the direction is zero
    */
   Axis(final String pointName, final Point3D point, final String directionName, final Vector3D direction) {

@@ -67,8 +67,9 @@ public record March(List<Step> steps, double limit, End end, double t) {
    * @throws IllegalArgumentException if an argument is null
    */
   public static Optional<March> of(final Object3D object, final Ray ray) {
-    final boolean marches = notNull("object", object) instanceof ProceduralObject3D && notNull("ray", ray) != Ray.NORAY;
-    return marches ? Optional.of(along(ray, (ProceduralObject3D) object)) : Optional.empty();
+    notNull("object", object);
+    return notNull("ray", ray) != Ray.NORAY && object instanceof ProceduralObject3D
+        ? Optional.of(along(ray, (ProceduralObject3D) object)) : Optional.empty();
   }
 
   static March along(final Ray ray, final ProceduralObject3D object) {

@@ -1,5 +1,5 @@
 /**
- * Points, vectors and boxes. They depend on nothing but {@code javax.vecmath}.
+ * Points, vectors and boxes. They depend on {@code javax.vecmath} and on the checks of {@link arguments}.
  *
  * <h2>Conventions of the whole project</h2>
  * <ul>

@@ -31,7 +31,8 @@ final class ObjectReader {
 
   /** Adds the object of an element to a group, and the id of its model to the names, unless something is wrong with it. */
   void read(final Element object, final Group3D group, final Map<Object3D, String> names) {
-    final Model model = model(object);
+    final String id = values.name(object, "modelId");
+    final Model model = id == null ? null : model(object, id);
     final Color colour = illumination ? materialColour(object) : plainColour(object);
     final Placement placement = placements.read(object);
     if (model == null || colour == null || placement == null) {
@@ -41,20 +42,19 @@ final class ObjectReader {
       final Object3D placed = model.placed(placement, colour);
       if (placed != null) {
         group.addObject(placed);
-        names.put(placed, values.name(object, "modelId"));
+        names.put(placed, id);
       }
     } catch (final IllegalArgumentException notBuilt) {
       values.problems().error(object.offset(), "notBuilt", notBuilt.getMessage());
     }
   }
 
-  /** The model that an object names; null if it names none that can be shown. */
-  private Model model(final Element object) {
-    final String id = values.name(object, "modelId");
-    final ModelReader.Entry entry = id == null ? null : models.get(id);
-    if (id != null && entry == null) {
+  /** The model of the id that an object names; null if there is none that can be shown. */
+  private Model model(final Element object, final String id) {
+    final ModelReader.Entry entry = models.get(id);
+    if (entry == null) {
       unknownId(object.find("modelId"), id, models.ids());
-    } else if (entry != null && entry.type() != null && !ModelReader.SUPPORTED.contains(entry.type())) {
+    } else if (entry.type() != null && !ModelReader.SUPPORTED.contains(entry.type())) {
       values.problems().error(object.find("modelId").valueOffset(), "notSupported", Messages.quote(id), entry.type(),
           String.join(", ", ModelReader.SUPPORTED));
     }

@@ -31,7 +31,7 @@ final class SceneContent {
     this.files = new MeshFiles(file, problems);
   }
 
-  /** The scene; it is sound only if no error was told. */
+  /** The scene; null if an error was told. */
   Scene scene() {
     final Element raster = section("raster");
     final int W = raster == null ? Values.NONE : values.integer(raster, "W", 1);
@@ -47,8 +47,8 @@ final class SceneContent {
     final Camera camera = camera(W, H);
     final Group3D objects = objects(illumination);
     final Element.Attribute name = image.attribute("name");
-    return new Scene(name == null ? "" : name.value(), W, H, background, illumination || falseLighting, camera, objects,
-        Collections.unmodifiableMap(names), files.paths());
+    return problems.hasErrors() ? null : new Scene(name == null ? "" : name.value(), W, H, background,
+        illumination || falseLighting, camera, objects, Collections.unmodifiableMap(names), files.paths());
   }
 
   private Element section(final String name) {

@@ -53,9 +53,7 @@ public final class SceneReader {
       if (decoding.warning() != null) {
         reader.problems.warning(0, decoding.warning(), Messages.quote(decoding.encoding()));
       }
-      final Scene scene = reader.markup();
-      final boolean sound = !reader.problems.hasErrors();
-      return new Reading(sound ? Optional.of(scene) : Optional.empty(), reader.problems.inFileOrder());
+      return new Reading(Optional.ofNullable(reader.markup()), reader.problems.inFileOrder());
     } catch (final NoSuchFileException missing) {
       return unreadable(file, "fileMissing");
     } catch (final AccessDeniedException denied) {
@@ -79,7 +77,7 @@ public final class SceneReader {
     return new Reading(Optional.empty(), List.of(problem));
   }
 
-  /** Reads the markup, and of it the scene; null if it is so wrong that there is none. */
+  /** Reads the markup, and of it the scene; null if an error was told. */
   private Scene markup() {
     final MarkupReader markup = new MarkupReader(problems);
     try {

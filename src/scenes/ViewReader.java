@@ -52,7 +52,7 @@ final class ViewReader {
     }
   }
 
-  /** The projection for a raster, of sizes −1 if it is at fault; null if the projection is. */
+  /** The projection for a raster, of sizes {@link Values#NONE} if it is at fault; null if the projection is. */
   Projection projection(final Element projection, final int W, final int H) {
     final String type = values.attribute(projection, "type", types);
     try {

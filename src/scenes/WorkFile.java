@@ -63,6 +63,9 @@ public final class WorkFile {
         throw new IOException(file + ":" + (i + 1) + ": " + lines.get(i), e);
       }
     }
+    if (work.eye == null || work.look == null || work.up == null) {
+      throw new IOException(file + ": expected lines eye, look and up");
+    }
     return work;
   }
 
@@ -94,6 +97,9 @@ public final class WorkFile {
     if (reading.mesh() == null) {
       throw new IOException(reading.problems().get(0).toString());
     }
+    if (mesh != null) {
+      throw new IllegalArgumentException("a second mesh");
+    }
     mesh = reading.mesh();
     meshColor = color(line);
   }
@@ -120,9 +126,9 @@ public final class WorkFile {
   }
 
   /**
-   * Builds the scene.
+   * Builds the scene; once, as the numbers of the mesh are then let go.
    *
-   * @return a new group of all objects
+   * @return the group of all objects
    */
   public Group3D scene() {
     final Group3D scene = new Group3D();

@@ -35,17 +35,22 @@ final class Bench {
 
   /** Does what the command line asks for and answers the exit status. */
   static int run(final String[] args) {
+    final int threads;
+    final double seconds;
+    final Path out;
     try {
-      final int threads = Integer.parseInt(args[1]);
-      final double seconds = Double.parseDouble(args[2]);
-      final Path out = Path.of(args[3]);
+      threads = Integer.parseInt(args[1]);
+      seconds = Double.parseDouble(args[2]);
+      out = Path.of(args[3]);
+    } catch (ArrayIndexOutOfBoundsException | NumberFormatException wrongUsage) {
+      System.err.println("UPNaTRay --bench WORKFILE THREADS SECONDS OUT.png");
+      return 2;
+    }
+    try {
       final long begin = System.nanoTime();
       final WorkFile work = WorkFile.read(Path.of(args[0]));
       new Bench(work, threads).run(seconds, (System.nanoTime() - begin) * 1e-9, out);
       return 0;
-    } catch (ArrayIndexOutOfBoundsException | NumberFormatException wrongUsage) {
-      System.err.println("UPNaTRay --bench WORKFILE THREADS SECONDS OUT.png");
-      return 2;
     } catch (IOException failure) {
       System.err.println(failure.getMessage());
       return 1;

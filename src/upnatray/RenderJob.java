@@ -100,9 +100,10 @@ public final class RenderJob {
    *
    * @param scene the scene
    * @return its shading
+   * @throws IllegalArgumentException if the scene is null
    */
   public static Shading shading(final Scene scene) {
-    return scene.facing() ? Shading.FACING : Shading.PLAIN;
+    return notNull("scene", scene).facing() ? Shading.FACING : Shading.PLAIN;
   }
 
   private static int channel(final double component) {

@@ -1,5 +1,7 @@
 package upnatray;
 
+import static arguments.Arguments.notNull;
+
 import java.util.Locale;
 import java.util.Optional;
 
@@ -31,8 +33,10 @@ public enum View {
    *
    * @param name the name, in small or capital letters
    * @return the view; empty if there is none of this name
+   * @throws IllegalArgumentException if the name is null
    */
   public static Optional<View> named(final String name) {
+    notNull("name", name);
     for (final View view : values()) {
       if (view.option().equals(name.toLowerCase(Locale.ROOT))) {
         return Optional.of(view);

@@ -126,8 +126,8 @@ class ObjReaderTest {
 
   @ParameterizedTest
   @CsvSource(delimiter = '|', value = {
-    "v 1 2|5:1: a vertex of fewer than three numbers: expected `v x y z`",
-    "v|5:1: a vertex of fewer than three numbers: expected `v x y z`",
+    "v 1 2|5:1: a vertex has fewer than three numbers: expected `v x y z`",
+    "v|5:1: a vertex has fewer than three numbers: expected `v x y z`",
     "v 1 two 3|5:5: not a number: found `two`, expected a coordinate such as 2.5",
     "v 1 2,5 3|5:5: not a number: found `2,5`, expected a coordinate such as 2.5",
     "v 1 1e39 3|5:5: the coordinate `1e39` is too large: expected less than 3.4e38",
@@ -151,7 +151,7 @@ class ObjReaderTest {
 
   @Test
   void allErrorsAreToldUpToALimit() {
-    assertProblems("v 1 2\nv x 0 0\nf 1 2 9\n", "1:1: a vertex of fewer than three numbers: expected `v x y z`",
+    assertProblems("v 1 2\nv x 0 0\nf 1 2 9\n", "1:1: a vertex has fewer than three numbers: expected `v x y z`",
         "2:3: not a number: found `x`, expected a coordinate such as 2.5", "3:7: there is no vertex 9 before this "
             + "line: 2 vertices so far");
     final ObjReader.Reading many = read("v 1 2\n".repeat(1000));
@@ -162,7 +162,7 @@ class ObjReaderTest {
   @Test
   void trianglesWithoutAreaAreDroppedWithOneWarning() {
     final ObjReader.Reading reading = read(SQUARE + "v 2 0 0\nf 1 2 3\nf 1 1 2\nf 1 2 5\nf 1 3 4\n");
-    assertProblems(reading, "7:1: warning: 2 triangles without area are left out, the first in this line");
+    assertProblems(reading, "7:1: warning: triangles without area that are left out: 2, the first in this line");
     assertArrayEquals(new int[] {0, 1, 2, 0, 2, 3}, reading.mesh().corners());
     assertProblems(SQUARE + "f 1 2 2\n", "1:1: no facet is left: all 1 triangles are without area");
   }

@@ -252,30 +252,33 @@ class QuirksTest {
 
   @Test
   void q14UnknownTypes() {
-    assertProblems(files.readWith("\"perspective\"", "\"Perspective\""), "21:15: unknown projection: found "
+    assertProblems(files.readWith("\"perspective\"", "\"Perspective\""), "21:15: `projection` of an unknown type: found "
         + "`Perspective`, expected one of "
         + "perspective, orthographic, angular, nlperspective. Did you mean `perspective`?");
     assertProblems(files.readWith("\"perspective\"", "\"nlperspective\""), "21:15: projection not supported: found "
         + "`nlperspective`, "
         + "expected perspective, orthographic or angular",
         "23:5: warning: `aspect` has no effect in `projection` of type `nlperspective`");
-    assertProblems(files.readWith("\"sphere\"", "\"cyclide\""), "26:22: unknown model: found `cyclide`, expected one "
-        + "of sphere, box, plane, "
-        + "cylinder, capsule, truncone, torus, ellipsoid, egg, genus2, mesh.");
+    assertProblems(files.readWith("\"sphere\"", "\"cyclide\""), "26:22: `model` of an unknown type: found `cyclide`, "
+        + "expected one of sphere, box, plane, cylinder, capsule, truncone, torus, ellipsoid, egg, genus2, mesh.");
     assertProblems(files.readWith("<scene>", LIGHT.replace("omnidirectional", "omnidirectinal") + "<scene>"), "30:3: "
         + NO_EFFECT,
-        "30:18: unknown light: found `omnidirectinal`, expected one of omnidirectional, directional, spot. Did you mean "
+        "30:18: `light` of an unknown type: found `omnidirectinal`, expected one of omnidirectional, directional, spot. "
+            + "Did you mean "
             + "`omnidirectional`?");
     assertProblems(files.readWith("<scene>", MATERIAL.replace("Phong-Lafortune", "Ward") + "<scene>"), "30:3: " + NO_EFFECT,
-        "30:27: unknown brdf: found `Ward`, expected one of Phong-Lafortune, Phong, Ashikhmin-Shirley, Cook-Torrance, "
+        "30:27: `brdf` of an unknown type: found `Ward`, expected one of Phong-Lafortune, Phong, "
+            + "Ashikhmin-Shirley, Cook-Torrance, "
             + "Oren-Nayar, "
             + "Ideal-Conductor.");
     assertProblems(files.readWith("<scene>", MATERIAL.replace("</brdf>", "<ndf>Blin</ndf></brdf>")
         + "<scene>"), "30:3: " + NO_EFFECT,
-        "30:161: unknown ndf: found `Blin`, expected one of Blinn, Horn, Torrance, GGX, Beckmann. Did you mean `Blinn`?");
+        "30:161: `ndf` of an unknown type: found `Blin`, expected one of Blinn, Horn, Torrance, GGX, Beckmann. "
+            + "Did you mean `Blinn`?");
     assertProblems(files.readWith("<scene>", "<materials><btdf id=\"g\" "
         + "type=\"Glass\"><eta_int>1.5</eta_int></btdf></materials><scene>"),
-        "30:3: " + NO_EFFECT, "30:27: unknown btdf: found `Glass`, expected one of Ideal-Dielectric, Cook-Torrance.");
+        "30:3: " + NO_EFFECT, "30:27: `btdf` of an unknown type: found `Glass`, expected one of Ideal-Dielectric, "
+            + "Cook-Torrance.");
   }
 
   @Test
@@ -326,7 +329,8 @@ class QuirksTest {
   void q17TheSpellingOfTheDictionary() {
     assertProblems(files.readModel("torus",
         "<rotationalRadius>2</rotationalRadius><circumferenceRadius>1</circumferenceRadius>"),
-        "27:45: warning: `circumferenceRadius` is spelt `circunferenceRadius` in scene files; taken for it");
+        "27:45: warning: `circumferenceRadius` is spelt `circunferenceRadius` in scene files; read as "
+            + "`circunferenceRadius`");
   }
 
   @Test

@@ -99,10 +99,10 @@ class SceneReaderTest {
   void numbersThatNoFloatOrIntHoldsAreNotSaidToBeOutOfRange() {
     assertProblems(files.readWith("<radius>1</radius>", "<radius>1e99</radius>"),
         "27:15: `radius` is a number that no float holds: found `1e99`, expected a number such as 2.5, radius > 0, "
-            + "in size from 1.4e-45 to 3.4e38");
+            + "in absolute value from 1.4e-45 to 3.4e38");
     assertProblems(files.readWith("<radius>1</radius>", "<radius>+0.05e-99</radius>"),
         "27:15: `radius` is a number that no float holds: found `+0.05e-99`, expected a number such as 2.5, radius > 0, "
-            + "in size from 1.4e-45 to 3.4e38");
+            + "in absolute value from 1.4e-45 to 3.4e38");
     assertProblems(files.readWith("<radius>1</radius>", "<radius>-1e99</radius>"),
         "27:15: `radius` is out of range: found `-1e99`, expected a number such as 2.5, radius > 0");
     assertProblems(files.readWith("<radius>1</radius>", "<radius>0.0e9</radius>"),

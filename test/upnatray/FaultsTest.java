@@ -77,7 +77,7 @@ class FaultsTest {
     Files.writeString(folder.resolve("file"), "");
     assertFails("file/t.png", "file is not a folder");
     assumeTrue(Files.exists(Path.of("/dev/null")));
-    assertFails("/dev/null", "what has this name is not an ordinary file");
+    assertFails("/dev/null", "this name belongs to something that is not a regular file");
   }
 
   @Test
