@@ -48,6 +48,8 @@ public final class Outline {
     FRUSTUM,
     /** The box of an object. */
     BOX,
+    /** The box of an object around the camera, such as a sky. */
+    AROUND,
     /** A square of a plane, which has no end. */
     PLANE,
     /** The ray of the pinned pixel, up to what it meets. */
@@ -109,12 +111,32 @@ public final class Outline {
   public static List<Line> of(final Scene scene, final int W, final int H, final Ray ray, final Hit hit) {
     final Outline outline = new Outline(scene, W, H);
     outline.addBoxes(scene.objects());
+    outline.bounds = bounds(outline.lines).union(outline.bounds);
     outline.addPlanes(scene.objects());
     outline.addCamera();
     if (notNull("ray", ray) != Ray.NORAY) {
       outline.addRay(ray, notNull("hit", hit));
     }
     return List.copyOf(outline.lines);
+  }
+
+  /**
+   * The box of what is to be seen of a drawing: without the lines from the camera through the corners of the window, and
+   * without what is around the camera, unless there are no other objects.
+   *
+   * @param lines a drawing
+   * @return the box
+   * @throws IllegalArgumentException if the lines are null
+   */
+  public static BoundingBox bounds(final List<Line> lines) {
+    final boolean inside = notNull("lines", lines).stream().noneMatch(line -> line.kind() == Kind.BOX);
+    BoundingBox box = BoundingBox.EMPTY;
+    for (final Line line : lines) {
+      if (line.kind() != Kind.FRUSTUM && (inside || line.kind() != Kind.AROUND)) {
+        box = box.union(new BoundingBox(line.from(), line.from())).union(new BoundingBox(line.to(), line.to()));
+      }
+    }
+    return box;
   }
 
   private void addBoxes(final Group3D group) {
@@ -124,7 +146,6 @@ public final class Outline {
         addBoxes(part);
       } else if (box != null && box.isFinite() && lines.size() < MOST_BOXES * 12) {
         addBox(box, object.getColor() == null ? 0 : object.getColor().getRGB());
-        bounds = bounds.union(box);
       }
     }
   }
@@ -140,10 +161,11 @@ public final class Outline {
 
   /** Each edge joins two corners that differ in one coordinate, which are numbered by their bits. */
   private void addBox(final BoundingBox box, final int argb) {
+    final Kind kind = box.contains(camera.getPosition()) ? Kind.AROUND : Kind.BOX;
     for (int corner = 0; corner < 8; corner++) {
       for (int bit = 1; bit < 8; bit <<= 1) {
         if ((corner & bit) == 0) {
-          lines.add(new Line(Kind.BOX, corner(box, corner), corner(box, corner | bit), argb));
+          lines.add(new Line(kind, corner(box, corner), corner(box, corner | bit), argb));
         }
       }
     }

@@ -32,6 +32,11 @@ final class Command extends AbstractAction {
     return new Command(key, KeyStroke.getKeyStroke(code, Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx()), job);
   }
 
+  /** Its name in the bundle. */
+  String key() {
+    return (String) getValue(ACTION_COMMAND_KEY);
+  }
+
   @Override
   public void actionPerformed(final ActionEvent event) {
     job.run();

@@ -2,23 +2,19 @@ package window;
 
 import java.awt.BorderLayout;
 import java.awt.FlowLayout;
-import java.awt.Point;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 
 import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JFileChooser;
-import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
-import inspection.Difference;
 import inspection.Inspection;
 import inspection.Meeting;
 import inspection.Outline;
@@ -32,15 +28,11 @@ final class Dialogs {
 
   private final RenderWindow window;
   private final OutsideView outside = new OutsideView();
-  private final JLabel figures = new JLabel();
   private JDialog outsideDialog;
-  private JDialog comparison;
-  private BufferedImage reference;
-  private Difference difference;
+  private Comparison comparison;
 
   Dialogs(final RenderWindow window) {
     this.window = window;
-    figures.setName("figures");
   }
 
   void chooseScene() {
@@ -94,9 +86,9 @@ final class Dialogs {
   /** Compares the picture with a file, and with each picture that is rendered from now on. */
   void compareWith(final Path file) {
     try {
-      reference = PictureFile.read(file);
-      openComparison(file);
-      compare();
+      final BufferedImage reference = PictureFile.read(file);
+      endComparison();
+      comparison = new Comparison(window, reference, file);
     } catch (final IOException failure) {
       final String reason = failure.getMessage() == null ? failure.toString() : failure.getMessage();
       complain(Messages.text("compare.failed", file, reason));
@@ -105,70 +97,15 @@ final class Dialogs {
 
   /** A picture is finished: what is compared is compared anew. */
   void renderingFinished() {
-    if (reference != null) {
-      compare();
+    if (comparison != null && comparison.isOpen()) {
+      comparison.compare();
     }
-  }
-
-  private void compare() {
-    final Optional<Difference> found = Difference.between(window.view().picture(), reference);
-    difference = found.orElse(null);
-    window.view().setOverlay(difference == null ? null : difference.mask());
-    figures.setText(difference == null
-        ? Messages.text("compare.size", reference.getWidth(), reference.getHeight())
-        : Messages.text("compare.figures", difference.differing(), difference.largest(),
-            String.format(Locale.ROOT, "%.4f", difference.mean())));
-    comparison.pack();
-  }
-
-  private void openComparison(final Path file) {
-    if (comparison != null) {
-      comparison.dispose();
-    }
-    comparison = new JDialog(window.frame(), Messages.text("compare.title", file.getFileName()));
-    comparison.setName("comparison");
-    final JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING));
-    buttons.add(button("compare.worst", this::showWorst));
-    buttons.add(button("compare.mask", this::switchMask));
-    buttons.add(button("compare.end", this::endComparison));
-    final JPanel all = new JPanel(new BorderLayout(8, 8));
-    all.setBorder(javax.swing.BorderFactory.createEmptyBorder(10, 12, 6, 12));
-    all.add(figures, BorderLayout.CENTER);
-    all.add(buttons, BorderLayout.SOUTH);
-    comparison.add(all);
-    comparison.addWindowListener(new java.awt.event.WindowAdapter() {
-      @Override
-      public void windowClosing(final java.awt.event.WindowEvent event) {
-        endComparison();
-      }
-    });
-    comparison.pack();
-    comparison.setLocation(window.frame().getX() + 40, window.frame().getY() + 120);
-    comparison.setVisible(true);
-  }
-
-  private static JButton button(final String key, final Runnable job) {
-    final JButton button = new JButton(Command.of(key, "", job));
-    button.setName(key);
-    return button;
-  }
-
-  private void showWorst() {
-    if (difference != null && difference.differing() > 0) {
-      window.view().show(new Point(difference.worstX(), difference.worstY()));
-    }
-  }
-
-  private void switchMask() {
-    final boolean shown = window.view().hasOverlay();
-    window.view().setOverlay(shown || difference == null ? null : difference.mask());
   }
 
   private void endComparison() {
-    reference = null;
-    difference = null;
-    window.view().setOverlay(null);
-    comparison.dispose();
+    if (comparison != null) {
+      comparison.end();
+    }
   }
 
   /** Opens the scene from outside. */
@@ -178,12 +115,12 @@ final class Dialogs {
       outsideDialog = new JDialog(window.frame(), Messages.text("outside.text"));
       outsideDialog.setName("outsideDialog");
       final JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING));
-      buttons.add(button("outside.save", this::saveOutside));
+      buttons.add(new JButton(Command.of("outside.save", "", this::saveOutside))).setName("outside.save");
       outsideDialog.add(outside, BorderLayout.CENTER);
       outsideDialog.add(buttons, BorderLayout.SOUTH);
       outsideDialog.pack();
       outsideDialog.setLocationRelativeTo(window.frame());
-      OutsideKeys.bind(outside);
+      OutsideKeys.bind(outside, outsideDialog::dispose);
     }
     outsideDialog.setVisible(true);
   }
@@ -209,8 +146,6 @@ final class Dialogs {
     if (outsideDialog != null) {
       outsideDialog.dispose();
     }
-    if (comparison != null) {
-      comparison.dispose();
-    }
+    endComparison();
   }
 }

@@ -6,13 +6,14 @@ import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 
-/** The keys of the scene from outside: arrows turn it, + and − change its size. */
+/** The keys of the scene from outside: arrows turn it, with shift they move it; + and − change its size, 0 shows it all, escape closes it. */
 final class OutsideKeys extends AbstractAction {
 
   private static final long serialVersionUID = 1L;
 
   private static final double DEGREES = 5;
   private static final double STEP = 1.25;
+  private static final double FAR = 24;
 
   private final transient Runnable job;
 
@@ -20,11 +21,17 @@ final class OutsideKeys extends AbstractAction {
     this.job = job;
   }
 
-  static void bind(final OutsideView view) {
+  static void bind(final OutsideView view, final Runnable close) {
     bind(view, "LEFT", () -> view.turn(-DEGREES, 0));
     bind(view, "RIGHT", () -> view.turn(DEGREES, 0));
     bind(view, "UP", () -> view.turn(0, -DEGREES));
     bind(view, "DOWN", () -> view.turn(0, DEGREES));
+    bind(view, "shift LEFT", () -> view.moveBy(-FAR, 0));
+    bind(view, "shift RIGHT", () -> view.moveBy(FAR, 0));
+    bind(view, "shift UP", () -> view.moveBy(0, -FAR));
+    bind(view, "shift DOWN", () -> view.moveBy(0, FAR));
+    bind(view, "typed 0", view::fit);
+    bind(view, "ESCAPE", close);
     bind(view, "typed +", () -> view.zoomBy(STEP));
     bind(view, "typed -", () -> view.zoomBy(1 / STEP));
   }

@@ -15,12 +15,15 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Map;
 
+import javax.swing.SwingUtilities;
+
 import inspection.Outline;
+import primitives.BoundingBox;
 import primitives.Point3D;
 
 /**
- * A scene and its camera from outside, as lines. Dragging turns it (left and right about the scene's y), the wheel and the
- * keys + and − change its size.
+ * A scene and its camera from outside, as lines. Dragging turns it (left and right about the scene's y), with shift or another
+ * button it moves it, the wheel changes its size about the pointer.
  */
 final class OutsideView extends Drawing {
 
@@ -38,6 +41,10 @@ final class OutsideView extends Drawing {
   private double yaw = 35;
   private double pitch = 25;
   private double zoom = 1;
+  private double moveX;
+  private double moveY;
+  private Point3D middle = new Point3D();
+  private double radius = 1;
   private Point last;
 
   OutsideView() {
@@ -55,6 +62,10 @@ final class OutsideView extends Drawing {
 
   void setLines(final List<Outline.Line> next) {
     lines = next;
+    final BoundingBox box = Outline.bounds(next);
+    middle = box.getMin();
+    middle.interpolate(box.getMax(), 0.5f);
+    radius = middle.distance(box.getMax());
     repaint();
   }
 
@@ -64,8 +75,29 @@ final class OutsideView extends Drawing {
     repaint();
   }
 
-  void zoomBy(final double factor) {
+  /** Changes the size of all; what is at a place, seen from the middle of the component, stays there. */
+  void zoomAbout(final double x, final double y, final double factor) {
     zoom *= factor;
+    moveX = x - factor * (x - moveX);
+    moveY = y - factor * (y - moveY);
+    repaint();
+  }
+
+  void zoomBy(final double factor) {
+    zoomAbout(0, 0, factor);
+  }
+
+  void moveBy(final double dx, final double dy) {
+    moveX += dx;
+    moveY += dy;
+    repaint();
+  }
+
+  /** Shows it all. */
+  void fit() {
+    zoom = 1;
+    moveX = 0;
+    moveY = 0;
     repaint();
   }
 
@@ -93,30 +125,20 @@ final class OutsideView extends Drawing {
   }
 
   private void paintLines(final Graphics2D g) {
-    final double[] x = new double[2 * lines.size()], y = new double[2 * lines.size()];
-    double left = Double.POSITIVE_INFINITY, right = -left, top = left, bottom = right;
-    for (int i = 0; i < x.length; i++) {
-      final Outline.Line line = lines.get(i / 2);
-      final Point3D P = i % 2 == 0 ? line.from() : line.to();
-      x[i] = across(P);
-      y[i] = -up(P);
-      if (line.kind() != Outline.Kind.FRUSTUM) {
-        left = Math.min(left, x[i]);
-        right = Math.max(right, x[i]);
-        top = Math.min(top, y[i]);
-        bottom = Math.max(bottom, y[i]);
-      }
-    }
-    final double k = 0.9 * zoom * Math.min(getWidth() / Math.max(right - left, Float.MIN_NORMAL),
-        getHeight() / Math.max(bottom - top, Float.MIN_NORMAL));
-    final double cx = 0.5 * (getWidth() - k * (left + right)), cy = 0.5 * (getHeight() - k * (top + bottom));
-    for (int i = 0; i < lines.size(); i++) {
-      final Outline.Line line = lines.get(i);
+    final double k = scale();
+    final double left = 0.5 * getWidth() + moveX - k * across(middle), top = 0.5 * getHeight() + moveY + k * up(middle);
+    for (final Outline.Line line : lines) {
+      final double x = left + k * across(line.to()), y = top - k * up(line.to());
       g.setColor(colour(line));
       g.setStroke(stroke(line.kind()));
-      g.draw(new Line2D.Double(cx + k * x[2 * i], cy + k * y[2 * i], cx + k * x[2 * i + 1], cy + k * y[2 * i + 1]));
-      letter(g, line.kind(), cx + k * x[2 * i + 1], cy + k * y[2 * i + 1]);
+      g.draw(new Line2D.Double(left + k * across(line.from()), top - k * up(line.from()), x, y));
+      letter(g, line.kind(), x, y);
     }
+  }
+
+  /** Points of the component to a unit of the scene. All lines fit in, from wherever they are seen. */
+  private double scale() {
+    return 0.48 * zoom * Math.min(getWidth(), getHeight()) / Math.max(radius, Float.MIN_NORMAL);
   }
 
   private double across(final Point3D P) {
@@ -131,7 +153,7 @@ final class OutsideView extends Drawing {
 
   /** Boxes have the colour of their object, but never one so light that it is not seen on white. */
   private static Color colour(final Outline.Line line) {
-    if (line.kind() != Outline.Kind.BOX && line.kind() != Outline.Kind.PLANE) {
+    if (COLOURS.containsKey(line.kind())) {
       return COLOURS.get(line.kind());
     }
     final Color own = line.argb() == 0 ? Color.GRAY : new Color(line.argb());
@@ -142,7 +164,7 @@ final class OutsideView extends Drawing {
     return switch (kind) {
       case GRID -> new BasicStroke(0.5f);
       case FRUSTUM -> new BasicStroke(0.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1, new float[] {5, 4}, 0);
-      case BOX, PLANE -> new BasicStroke(0.9f);
+      case BOX, AROUND, PLANE -> new BasicStroke(0.9f);
       default -> new BasicStroke(2);
     };
   }
@@ -169,13 +191,19 @@ final class OutsideView extends Drawing {
 
     @Override
     public void mouseDragged(final MouseEvent event) {
-      turn(DEGREES_TO_A_POINT * (event.getX() - last.x), DEGREES_TO_A_POINT * (event.getY() - last.y));
+      final int dx = event.getX() - last.x, dy = event.getY() - last.y;
+      if (event.isShiftDown() || !SwingUtilities.isLeftMouseButton(event)) {
+        moveBy(dx, dy);
+      } else {
+        turn(DEGREES_TO_A_POINT * dx, DEGREES_TO_A_POINT * dy);
+      }
       last = event.getPoint();
     }
 
     @Override
     public void mouseWheelMoved(final MouseWheelEvent event) {
-      zoomBy(Math.pow(NOTCH, -event.getPreciseWheelRotation()));
+      zoomAbout(event.getX() - 0.5 * getWidth(), event.getY() - 0.5 * getHeight(),
+          Math.pow(NOTCH, -event.getPreciseWheelRotation()));
     }
   }
 }

@@ -2,6 +2,7 @@ package window;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 
 import javax.imageio.ImageIO;
@@ -13,9 +14,12 @@ final class PictureFile {
   }
 
   static BufferedImage read(final Path file) throws IOException {
+    if (!Files.isReadable(file)) {
+      throw new IOException(Messages.text("compare.unreadable"));
+    }
     final BufferedImage picture = ImageIO.read(file.toFile());
     if (picture == null) {
-      throw new IOException(Messages.text("compare.noPicture", file));
+      throw new IOException(Messages.text("compare.noPicture"));
     }
     return picture;
   }

@@ -10,8 +10,10 @@ import java.util.function.Function;
 
 import org.junit.jupiter.api.Test;
 
+import models.Object3D;
 import models.Plane;
 import models.Sphere;
+import primitives.BoundingBox;
 import primitives.Point3D;
 import primitives.Vector3D;
 import scenes.FishEye;
@@ -89,6 +91,32 @@ class OutlineTest {
   void theGridOfAFineRasterIsThinnedOut() {
     final List<Outline.Line> lines = Outline.of(SampleScenes.of(new Angular(90), true), 1000, 1000);
     assertEquals(2 * 15, count(lines, Outline.Kind.GRID));
+  }
+
+  @Test
+  void aSkyAroundTheCameraDoesNotMakeTheRestSmall() {
+    final Sphere sky = new Sphere(new Point3D(), 1000, Color.BLUE), ball = new Sphere(new Point3D(), 1, Color.RED);
+    final List<Outline.Line> lines = Outline.of(SampleScenes.of(SampleScenes.perspective(), true, sky, ball), 8, 8);
+    assertEquals(12, count(lines, Outline.Kind.AROUND));
+    assertTrue(Outline.bounds(lines).maxX() < 10);
+    final List<Outline.Line> alone = Outline.of(SampleScenes.of(SampleScenes.perspective(), true, sky), 8, 8);
+    assertTrue(Outline.bounds(alone).maxX() >= 1000);
+  }
+
+  @Test
+  void anObjectThatCannotTellItsBoxIsLeftOut() {
+    final Object3D secret = new Object3D(Color.RED) {
+      @Override
+      public Hit intersectionWith(final Ray ray) {
+        return Hit.NOHIT;
+      }
+
+      @Override
+      public BoundingBox getBoundingBox() {
+        throw new IllegalStateException("no box");
+      }
+    };
+    assertEquals(0, count(Outline.of(SampleScenes.of(SampleScenes.perspective(), true, secret), 8, 8), Outline.Kind.BOX));
   }
 
   @Test

@@ -539,16 +539,51 @@ class RenderWindowTest {
   }
 
   @Test
-  void theSceneFromOutsideTurns() throws Exception {
-    press("outside");
-    final BufferedImage before = on(() -> window.dialogs().outside().image());
-    pin(40, 30);
+  void aReferenceOfAnotherSizeIsSaidToBeOne() throws Exception {
+    final Path file = folder.resolve("small.png");
+    ImageIO.write(new BufferedImage(3, 2, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
     on(() -> {
-      window.dialogs().outside().turn(30, 10);
+      window.dialogs().compareWith(file);
       return null;
     });
-    final BufferedImage after = on(() -> window.dialogs().outside().image());
-    assertTrue(inspection.Difference.between(before, after).orElseThrow().differing() > 100);
+    assertTrue(label("figures").startsWith("The reference has 3 x 2 pixels, the picture 80 x 60"), label("figures"));
+    assertFalse(on(() -> window.view().hasOverlay() || find("compare.worst").isEnabled()));
+    press("compare.end");
+    assertFalse(on(() -> isShowing("comparison")));
+  }
+
+  private static boolean isShowing(final String name) {
+    for (final Window open : Window.getWindows()) {
+      if (open.isShowing() && name.equals(open.getName())) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  @Test
+  void theSceneFromOutsideTurnsAndGrowsAboutThePointer() throws Exception {
+    press("outside");
+    final OutsideView outside = on(() -> window.dialogs().outside());
+    final BufferedImage before = on(outside::image);
+    pin(40, 30);
+    on(() -> {
+      outside.turn(30, 10);
+      return null;
+    });
+    final BufferedImage turned = on(outside::image);
+    assertTrue(inspection.Difference.between(before, turned).orElseThrow().differing() > 100);
+    on(() -> {
+      outside.zoomAbout(50, -20, 2);
+      outside.zoomAbout(50, -20, 0.5);
+      return null;
+    });
+    assertEquals(0, inspection.Difference.between(turned, on(outside::image)).orElseThrow().differing());
+    on(() -> {
+      outside.getActionMap().get("ESCAPE").actionPerformed(null);
+      return null;
+    });
+    assertFalse(on(() -> isShowing("outsideDialog")));
   }
 
   @Test

@@ -1,0 +1,97 @@
+package window;
+
+import java.awt.BorderLayout;
+import java.awt.FlowLayout;
+import java.awt.Point;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+
+import inspection.Difference;
+
+/** Compares the picture of a window with a reference, and with it each picture that is rendered while this is open. */
+final class Comparison {
+
+  private final PictureView view;
+  private final BufferedImage reference;
+  private final JDialog dialog;
+  private final JLabel figures = new JLabel();
+  private final Command worst = Command.of("compare.worst", "", this::showWorst);
+  private final Command mask = Command.of("compare.mask", "", this::switchMask);
+  private Difference difference;
+
+  /** Opens beside a window. */
+  Comparison(final RenderWindow window, final BufferedImage reference, final Path file) {
+    this.view = window.view();
+    this.reference = reference;
+    this.dialog = new JDialog(window.frame(), Messages.text("compare.title", file.getFileName()));
+    dialog.setName("comparison");
+    figures.setName("figures");
+    layOut(Command.of("compare.end", "ESCAPE", this::end));
+    compare();
+    dialog.setLocation(window.frame().getX() + 40, window.frame().getY() + 120);
+    dialog.setVisible(true);
+  }
+
+  private void layOut(final Command end) {
+    final JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING));
+    for (final Command command : new Command[] {worst, mask, end}) {
+      buttons.add(new JButton(command)).setName(command.key());
+    }
+    final JPanel all = new JPanel(new BorderLayout(8, 8));
+    all.setBorder(BorderFactory.createEmptyBorder(10, 12, 6, 12));
+    all.add(figures, BorderLayout.CENTER);
+    all.add(buttons, BorderLayout.SOUTH);
+    dialog.add(all);
+    dialog.getRootPane().registerKeyboardAction(end, KeyStroke.getKeyStroke("ESCAPE"),
+        JComponent.WHEN_IN_FOCUSED_WINDOW);
+    dialog.addWindowListener(new WindowAdapter() {
+      @Override
+      public void windowClosing(final WindowEvent event) {
+        end();
+      }
+    });
+  }
+
+  boolean isOpen() {
+    return dialog.isDisplayable();
+  }
+
+  void compare() {
+    final BufferedImage picture = view.picture();
+    final Optional<Difference> found = Difference.between(picture, reference);
+    difference = found.orElse(null);
+    view.setOverlay(found.map(Difference::mask).orElse(null));
+    worst.setEnabled(found.isPresent() && difference.differing() > 0);
+    mask.setEnabled(found.isPresent());
+    figures.setText(found.isEmpty()
+        ? Messages.text("compare.size", reference.getWidth(), reference.getHeight(), picture.getWidth(), picture.getHeight())
+        : Messages.text("compare.figures", difference.differing(), difference.largest(),
+            String.format(Locale.ROOT, "%.4f", difference.mean())));
+    dialog.pack();
+  }
+
+  private void showWorst() {
+    view.show(new Point(difference.worstX(), difference.worstY()));
+  }
+
+  private void switchMask() {
+    view.setOverlay(view.hasOverlay() ? null : difference.mask());
+  }
+
+  void end() {
+    view.setOverlay(null);
+    dialog.dispose();
+  }
+}
