@@ -6,7 +6,7 @@ import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 
-/** The keys of the scene from outside: arrows turn it, with shift they move it; + and − change its size, 0 shows it all, escape closes it. */
+/** The keys of the scene from outside: arrows turn it or, with shift, move it; +, − and 0 set its size; escape closes it. */
 final class OutsideKeys extends AbstractAction {
 
   private static final long serialVersionUID = 1L;

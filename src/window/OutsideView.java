@@ -22,8 +22,8 @@ import primitives.BoundingBox;
 import primitives.Point3D;
 
 /**
- * A scene and its camera from outside, as lines. Dragging turns it (left and right about the scene's y), with shift or another
- * button it moves it, the wheel changes its size about the pointer.
+ * A scene and its camera from outside, as lines. Dragging turns it (left and right about the scene's y), with shift or
+ * another button it moves it, the wheel changes its size about the pointer.
  */
 final class OutsideView extends Drawing {
 
