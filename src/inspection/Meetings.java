@@ -89,7 +89,7 @@ final class Meetings {
       }
     } catch (final RuntimeException | StackOverflowError thrown) {
       findings.add(Finding.EXCEPTION);
-      failure = thrown + place(thrown);
+      failure = text(thrown);
     }
     final Optional<March> march = march(object, hit.hits() || !findings.isEmpty());
     if (hit.hits() || !findings.isEmpty() || march.isPresent()) {
@@ -99,10 +99,11 @@ final class Meetings {
     }
   }
 
-  /** Where it was thrown, as a file of sources and a line, if that is known. */
-  private static String place(final Throwable thrown) {
+  /** What was thrown and where, as a file of sources and a line, if that is known. */
+  private static String text(final Throwable thrown) {
     final StackTraceElement[] trace = thrown.getStackTrace();
-    return trace.length == 0 ? "" : " (" + trace[0].getFileName() + ":" + trace[0].getLineNumber() + ")";
+    return thrown.getClass().getSimpleName() + (thrown.getMessage() == null ? "" : ": " + thrown.getMessage())
+        + (trace.length == 0 ? "" : " (" + trace[0].getFileName() + ":" + trace[0].getLineNumber() + ")");
   }
 
   /** The march to an object; to one that is not met only if the ray crosses its box: then it is told why it was not met. */

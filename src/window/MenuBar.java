@@ -1,5 +1,6 @@
 package window;
 
+import java.awt.EventQueue;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.EnumMap;
@@ -123,6 +124,10 @@ final class MenuBar extends JMenuBar {
     bind(view, "shift DOWN", () -> view.moveBy(0, -far));
     bind(view, "typed +", () -> view.zoomBy(STEP));
     bind(view, "typed -", () -> view.zoomBy(1 / STEP));
+    for (final String plus : new String[] {"ctrl ADD", "ctrl EQUALS", "ctrl shift EQUALS"}) {
+      bind(view, plus, () -> view.zoomBy(STEP));
+    }
+    bind(view, "ctrl SUBTRACT", () -> view.zoomBy(1 / STEP));
     bind(view, "typed 0", view::fit);
     bind(view, "typed 1", view::oneToOne);
   }
@@ -143,6 +148,13 @@ final class MenuBar extends JMenuBar {
 
     KeyAction(final Runnable job) {
       this.job = job;
+    }
+
+    /** A key of a menu types its character too. */
+    @Override
+    public boolean accept(final Object sender) {
+      return !(EventQueue.getCurrentEvent() instanceof KeyEvent event && event.getID() == KeyEvent.KEY_TYPED
+          && event.isControlDown());
     }
 
     @Override

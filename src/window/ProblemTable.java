@@ -59,7 +59,7 @@ final class ProblemTable extends JPanel {
   private final JTable table = new JTable(rows) {
     private static final long serialVersionUID = 1L;
 
-    /** The whole path, and a message that may be longer than its column. */
+    /** The whole path, too. */
     @Override
     public String getToolTipText(final java.awt.event.MouseEvent event) {
       final int row = rowAtPoint(event.getPoint());
@@ -75,6 +75,7 @@ final class ProblemTable extends JPanel {
     for (int i = 0; i < WIDTHS.length; i++) {
       table.getColumnModel().getColumn(i).setPreferredWidth(WIDTHS[i]);
     }
+    table.getColumnModel().getColumn(WIDTHS.length - 1).setCellRenderer(new WrappedText());
     add(new JScrollPane(table));
     setPreferredSize(new Dimension(600, 120));
     setVisible(false);

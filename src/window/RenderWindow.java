@@ -117,6 +117,7 @@ public final class RenderWindow {
     render.setEnabled(true);
     showing.forget();
     unpin();
+    status.showPixel(null, 0, 0);
     status.showText(Messages.text("status.reading", name));
   }
 

@@ -4,6 +4,8 @@ import java.awt.Rectangle;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.logging.Level;
+import java.util.logging.Logger;
 import java.util.prefs.BackingStoreException;
 import java.util.prefs.Preferences;
 
@@ -12,6 +14,9 @@ final class Settings {
 
   private static final int MOST_RECENT = 8;
 
+  /** Where nothing can be kept, the preferences would complain about it every half minute. */
+  private static final Logger COMPLAINTS = Logger.getLogger("java.util.prefs");
+
   private final Preferences preferences;
 
   Settings(final Preferences preferences) {
@@ -19,6 +24,7 @@ final class Settings {
   }
 
   static Settings ofUser() {
+    COMPLAINTS.setLevel(Level.OFF);
     return new Settings(Preferences.userRoot().node("upnatray/window"));
   }
 

@@ -222,6 +222,25 @@ class RenderWindowTest {
     }));
   }
 
+  @Test
+  void aKeyOfAMenuCountsOnce() throws Exception {
+    final Robot robot = new Robot();
+    final Point place = onScreen(40, 20);
+    robot.mouseMove(place.x, place.y);
+    robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    waitFor(() -> window.view().isFocusOwner());
+    final double before = on(() -> window.view().magnification());
+    robot.keyPress(KeyEvent.VK_CONTROL);
+    robot.keyPress(KeyEvent.VK_MINUS);
+    robot.keyRelease(KeyEvent.VK_MINUS);
+    robot.keyRelease(KeyEvent.VK_CONTROL);
+    robot.keyPress(KeyEvent.VK_MINUS);
+    robot.keyRelease(KeyEvent.VK_MINUS);
+    robot.waitForIdle();
+    assertEquals(before / 4, on(() -> window.view().magnification()), 1e-9);
+  }
+
   /** Pins a pixel and waits for what is known of it. */
   private void pin(final int x, final int y) throws Exception {
     on(() -> {
