@@ -24,7 +24,6 @@ import view.Camera;
  * @param objects what there is to see
  * @param names the id of the model that each of the objects shows; objects are told apart by identity
  * @param meshes the files of its meshes
- * @throws IllegalArgumentException if an argument is null, or if there is no pixel
  */
 public record Scene(String name, int width, int height, Color background, boolean facing, Camera camera,
     Group3D objects, Map<Object3D, String> names, Set<Path> meshes) {
@@ -41,6 +40,7 @@ public record Scene(String name, int width, int height, Color background, boolea
    * @param objects what there is to see
    * @param names the ids of the models
    * @param meshes the files of its meshes
+   * @throws IllegalArgumentException if an argument is null, or if there is no pixel
    */
   public Scene {
     notNull("name", name);
