@@ -99,11 +99,10 @@ final class Meetings {
     }
   }
 
-  /** What was thrown and where, as a file of sources and a line, if that is known. */
+  /** What was thrown and where it comes from, as a file of sources and a line, if that is known. */
   private static String text(final Throwable thrown) {
-    final StackTraceElement[] trace = thrown.getStackTrace();
     return thrown.getClass().getSimpleName() + (thrown.getMessage() == null ? "" : ": " + thrown.getMessage())
-        + (trace.length == 0 ? "" : " (" + trace[0].getFileName() + ":" + trace[0].getLineNumber() + ")");
+        + Origin.of(thrown).map(call -> " (" + call.getFileName() + ":" + call.getLineNumber() + ")").orElse("");
   }
 
   /** The march to an object; to one that is not met only if the ray crosses its box: then it is told why it was not met. */

@@ -1,5 +1,8 @@
 package window;
 
+import java.util.Optional;
+
+import inspection.Origin;
 import scenes.Problem;
 
 /** What to tell of an exception that a rendering threw: most likely by a shape of the user's own. */
@@ -8,16 +11,15 @@ final class Failure {
   private Failure() {
   }
 
-  /** The exception as a problem, at the place in the code where it began. */
+  /** The exception as a problem, at the place in the code that it comes from. */
   static Problem problem(final Throwable failure) {
     Throwable first = failure;
     while (first.getCause() != null) {
       first = first.getCause();
     }
-    final StackTraceElement[] trace = first.getStackTrace();
-    final boolean known = trace.length > 0 && trace[0].getFileName() != null;
     final String message = failure == first || failure.getMessage() == null ? failure.toString() : failure.getMessage();
-    return new Problem(known ? trace[0].getFileName() : "", known ? Math.max(0, trace[0].getLineNumber()) : 0, 0,
-        Problem.Severity.ERROR, message);
+    final Optional<StackTraceElement> origin = Origin.of(first);
+    return new Problem(origin.map(StackTraceElement::getFileName).orElse(""),
+        origin.map(call -> Math.max(0, call.getLineNumber())).orElse(0), 0, Problem.Severity.ERROR, message);
   }
 }

@@ -1,5 +1,6 @@
 package inspection;
 
+import static arguments.Arguments.notNull;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotSame;
@@ -10,6 +11,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Color;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Objects;
 import java.util.function.Function;
 
 import javax.vecmath.Vector3f;
@@ -223,6 +225,22 @@ class InspectorTest {
     assertEquals(List.of(Finding.EXCEPTION), meeting.findings());
     assertTrue(meeting.failure().contains("by zero (InspectorTest.java:"), meeting.failure());
     assertFalse(meeting.winner());
+  }
+
+  /** Whoever gave it, and not the method that noticed. */
+  @Test
+  void theOriginOfAnExceptionIsNotInTheJdkNorInTheChecks() {
+    for (final Runnable wrong : List.<Runnable>of(() -> Objects.requireNonNull(null), () -> List.of().get(0),
+        () -> new Point3D().distance(null), () -> notNull("this", null))) {
+      final Meeting meeting = centre(new Wrong() {
+        @Override
+        public Hit intersectionWith(final Ray ray) {
+          wrong.run();
+          return Hit.NOHIT;
+        }
+      }).meetings().get(0);
+      assertTrue(meeting.failure().matches("(?s).* \\(InspectorTest.java:\\d+\\)"), meeting.failure());
+    }
   }
 
   @Test

@@ -2,6 +2,7 @@ package window;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Point;
@@ -116,6 +117,17 @@ class PartsTest {
     PngFile.save(picture, file);
     assertEquals(folder.resolve("picture.png"), file);
     assertEquals(0x80123456, PictureFile.read(file).getRGB(2, 1));
+  }
+
+  @Test
+  void aFailureIsAtThePlaceThatItComesFrom() {
+    final Exception failure = assertThrows(IndexOutOfBoundsException.class, () -> List.of().get(0));
+    final Problem problem = Failure.problem(new IllegalStateException("told", failure));
+    assertEquals("PartsTest.java", problem.file());
+    assertTrue(problem.line() > 0);
+    assertEquals("told", problem.message());
+    failure.setStackTrace(new StackTraceElement[0]);
+    assertEquals("", Failure.problem(failure).file());
   }
 
   private static Set<String> keys(final ResourceBundle bundle) {
