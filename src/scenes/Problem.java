@@ -5,7 +5,7 @@ package scenes;
  *
  * @param file the file, as it was named to the reader
  * @param line number of the line, from 1; 0 if the file could not be read at all
- * @param column number of the character in its line, from 1; 0 as for the line
+ * @param column number of the character in its line, from 1; 0 if it is not known
  * @param severity whether the scene can be rendered all the same
  * @param message what is wrong, what was found and what was expected, in the language of the default locale
  */
@@ -29,14 +29,14 @@ public record Problem(String file, int line, int column, Severity severity, Stri
   }
 
   /**
-   * The problem as one line, {@code FILE:LINE:COLUMN: message}, the message of a warning after the word
-   * {@code warning}.
+   * The problem as one line, {@code FILE:LINE:COLUMN: message} as far as the place is known, the message of a warning
+   * after the word {@code warning}.
    *
    * @return the line, without its end
    */
   @Override
   public String toString() {
-    final String place = line == 0 ? file : file + ":" + line + ":" + column;
+    final String place = line == 0 ? file : file + ":" + line + (column == 0 ? "" : ":" + column);
     return place + ": " + (isError() ? message : Messages.text("warning", message));
   }
 }

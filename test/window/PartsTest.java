@@ -125,7 +125,7 @@ class PartsTest {
     final Problem problem = Failure.problem(new IllegalStateException("told", failure));
     assertEquals("PartsTest.java", problem.file());
     assertTrue(problem.line() > 0);
-    assertEquals("told", problem.message());
+    assertEquals("PartsTest.java:" + problem.line() + ": told", problem.toString());
     failure.setStackTrace(new StackTraceElement[0]);
     assertEquals("", Failure.problem(failure).file());
   }
