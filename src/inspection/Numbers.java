@@ -34,7 +34,7 @@ public final class Numbers {
       return "0";
     }
     final String text = Float.toString(number).replaceAll("\\.0(?=E|$)", "");
-    return text.contains("E-4") ? new BigDecimal(text).toPlainString() : text;
+    return text.endsWith("E-4") ? new BigDecimal(text).toPlainString() : text;
   }
 
   /**
