@@ -1,5 +1,7 @@
 package window;
 
+import java.awt.Color;
+import java.awt.Graphics2D;
 import java.awt.Image;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
@@ -13,7 +15,9 @@ final class PictureClip implements Transferable {
 
   PictureClip(final BufferedImage source) {
     picture = new BufferedImage(source.getWidth(), source.getHeight(), BufferedImage.TYPE_INT_RGB);
-    picture.createGraphics().drawImage(source, 0, 0, java.awt.Color.WHITE, null);
+    final Graphics2D g = picture.createGraphics();
+    g.drawImage(source, 0, 0, Color.WHITE, null);
+    g.dispose();
   }
 
   @Override
