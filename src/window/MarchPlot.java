@@ -9,6 +9,7 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.util.List;
 import java.util.Locale;
 
 import models.March;
@@ -23,7 +24,7 @@ final class MarchPlot extends Drawing {
   private static final Color LINE = new Color(0x2f7fd6);
   private static final Color END = new Color(0xd64545);
 
-  private transient March march;
+  private transient List<March.Step> steps = List.of();
 
   MarchPlot() {
     super("march.name");
@@ -33,9 +34,10 @@ final class MarchPlot extends Drawing {
     setToolTipText(Messages.text("march.tip"));
   }
 
-  /** Shows a march; null for none. */
+  /** Shows a march; null for none. Steps to where there is no distance have no place in it. */
   void setMarch(final March next) {
-    march = next;
+    steps = next == null ? List.of() : next.steps().stream()
+        .filter(step -> Double.isFinite(step.t()) && Double.isFinite(step.distance())).toList();
     setVisible(next != null);
     revalidate();
     repaint();
@@ -43,13 +45,13 @@ final class MarchPlot extends Drawing {
 
   @Override
   protected void paintComponent(final Graphics graphics) {
-    if (march == null || march.steps().isEmpty()) {
+    if (steps.isEmpty()) {
       return;
     }
     final Graphics2D g = (Graphics2D) graphics.create();
     g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
     double greatestT = 0, most = 0, least = 0;
-    for (final March.Step step : march.steps()) {
+    for (final March.Step step : steps) {
       greatestT = Math.max(greatestT, step.t());
       most = Math.max(most, step.distance());
       least = Math.min(least, step.distance());
@@ -71,10 +73,10 @@ final class MarchPlot extends Drawing {
 
   private void paintSteps(final Graphics2D g, final double kx, final double ky, final double zero) {
     g.setStroke(new BasicStroke(1));
-    final int last = march.steps().size() - 1;
+    final int last = steps.size() - 1;
     double beforeX = 0, beforeY = 0;
     for (int i = 0; i <= last; i++) {
-      final March.Step step = march.steps().get(i);
+      final March.Step step = steps.get(i);
       final double x = MARGIN + step.t() * kx, y = zero - step.distance() * ky;
       g.setColor(LINE);
       if (i > 0) {

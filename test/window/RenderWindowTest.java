@@ -24,6 +24,7 @@ import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -49,6 +50,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 import inspection.SampleScenes;
+import models.March;
 import models.Object3D;
 import models.Sphere;
 import primitives.Point3D;
@@ -633,6 +635,19 @@ class RenderWindowTest {
         assertNamed(within);
       }
     }
+  }
+
+  @Test
+  void aMarchIsPlottedAsFarAsItHasDistances() throws Exception {
+    final MarchPlot plot = new MarchPlot();
+    plot.setSize(200, 150);
+    plot.setMarch(new March(List.of(new March.Step(0, 2), new March.Step(2, 1), new March.Step(3, Double.NaN),
+        new March.Step(Double.POSITIVE_INFINITY, 1)), 9, March.End.UNDEFINED, Double.POSITIVE_INFINITY));
+    final BufferedImage image = new BufferedImage(200, 150, BufferedImage.TYPE_INT_ARGB);
+    plot.paintComponent(image.getGraphics());
+    final int[] right = image.getRGB(185, 0, 15, 150, null, 0, 15), left = image.getRGB(0, 0, 15, 150, null, 0, 15);
+    assertTrue(Arrays.stream(right).anyMatch(argb -> argb == 0xffd64545), "the last distance is not there");
+    assertTrue(Arrays.stream(left).anyMatch(argb -> argb == 0xff2f7fd6), "the first distance is not there");
   }
 
   @Test
