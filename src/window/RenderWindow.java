@@ -1,5 +1,9 @@
 package window;
 
+import static arguments.Arguments.notNull;
+import static arguments.Arguments.positive;
+import static arguments.Arguments.wrongState;
+
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Frame;
@@ -73,14 +77,24 @@ public final class RenderWindow {
    * @param W width of the picture in pixels, at least 1
    * @param H height of the picture in pixels, at least 1
    * @param background colour of pixels that show nothing
+   * @throws IllegalArgumentException if an argument is null, or if there is no pixel
+   * @throws IllegalStateException if the camera has no projection, or if there is no display
    */
   public static void show(final String title, final Group3D objects, final Camera camera, final int W, final int H,
       final Color background) {
+    final Scene scene = new Scene(notNull("title", title), positive("W", W), positive("H", H),
+        notNull("background", background), true, notNull("camera", camera), notNull("objects", objects), Map.of(), Set.of());
+    if (camera.getProjection() == null) {
+      throw wrongState("noProjection");
+    }
+    if (!new WindowViewer().isAvailable()) {
+      throw new IllegalStateException(Messages.text("show.noDisplay"));
+    }
     SwingUtilities.invokeLater(() -> {
       final Settings settings = Settings.ofUser();
       Theme.install(settings.isDark());
       final RenderWindow window = new RenderWindow(settings, View.COLOUR, 0);
-      window.open(new Scene(title, W, H, background, true, camera, objects, Map.of(), Set.of()));
+      window.open(scene);
       window.frame.setVisible(true);
     });
   }

@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.Function;
@@ -230,8 +231,8 @@ class InspectorTest {
   /** Whoever gave it, and not the method that noticed. */
   @Test
   void theOriginOfAnExceptionIsNotInTheJdkNorInTheChecks() {
-    for (final Runnable wrong : List.<Runnable>of(() -> Objects.requireNonNull(null), () -> List.of().get(0),
-        () -> new Point3D().distance(null), () -> notNull("this", null))) {
+    for (final Runnable wrong : List.<Runnable>of(() -> Objects.requireNonNull(null), () -> new ArrayList<>().get(0),
+        () -> Integer.parseInt(""), () -> notNull("this", null))) {
       final Meeting meeting = centre(new Wrong() {
         @Override
         public Hit intersectionWith(final Ray ray) {

@@ -5,11 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Color;
+import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Enumeration;
 import java.util.List;
 import java.util.Locale;
@@ -21,14 +24,20 @@ import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.api.io.TempDir;
 
 import inspection.ColourStep;
 import inspection.Finding;
+import models.Group3D;
 import models.March;
+import primitives.Point3D;
+import primitives.Vector3D;
 import scenes.Problem;
 import upnatray.PngFile;
 import upnatray.View;
+import view.Camera;
+import view.Orthographic;
 
 /** The parts of the window that need no display. */
 class PartsTest {
@@ -121,13 +130,32 @@ class PartsTest {
 
   @Test
   void aFailureIsAtThePlaceThatItComesFrom() {
-    final Exception failure = assertThrows(IndexOutOfBoundsException.class, () -> List.of().get(0));
+    final Exception failure = assertThrows(IndexOutOfBoundsException.class, () -> new ArrayList<>().get(0));
     final Problem problem = Failure.problem(new IllegalStateException("told", failure));
     assertEquals("PartsTest.java", problem.file());
     assertTrue(problem.line() > 0);
     assertEquals("PartsTest.java:" + problem.line() + ": told", problem.toString());
     failure.setStackTrace(new StackTraceElement[0]);
     assertEquals("", Failure.problem(failure).file());
+  }
+
+  @Test
+  void whatCannotBeShownIsRefusedAtOnce() {
+    final Group3D objects = new Group3D();
+    final Camera camera = new Camera(new Point3D(0, 0, 5), new Point3D(), new Vector3D(0, 1, 0));
+    final Color black = Color.BLACK;
+    assertThrows(IllegalStateException.class, () -> RenderWindow.show("", objects, camera, 4, 3, black));
+    camera.setProjection(new Orthographic(3, 0.75f));
+    for (final Executable wrong : List.<Executable>of(() -> RenderWindow.show(null, objects, camera, 4, 3, black),
+        () -> RenderWindow.show("", null, camera, 4, 3, black), () -> RenderWindow.show("", objects, null, 4, 3, black),
+        () -> RenderWindow.show("", objects, camera, 0, 3, black),
+        () -> RenderWindow.show("", objects, camera, 4, -3, black),
+        () -> RenderWindow.show("", objects, camera, 4, 3, null))) {
+      assertThrows(IllegalArgumentException.class, wrong);
+    }
+    if (GraphicsEnvironment.isHeadless()) {
+      assertThrows(IllegalStateException.class, () -> RenderWindow.show("", objects, camera, 4, 3, black));
+    }
   }
 
   private static Set<String> keys(final ResourceBundle bundle) {
