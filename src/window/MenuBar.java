@@ -1,21 +1,17 @@
 package window;
 
-import java.awt.EventQueue;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.Map;
 
-import javax.swing.ActionMap;
 import javax.swing.ButtonGroup;
-import javax.swing.InputMap;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
-import javax.swing.KeyStroke;
 
 import upnatray.View;
 
@@ -132,34 +128,7 @@ final class MenuBar extends JMenuBar {
     bind(view, "typed 1", view::oneToOne);
   }
 
-  private static void bind(final JComponent component, final String key, final Runnable job) {
-    final InputMap keys = component.getInputMap(JComponent.WHEN_FOCUSED);
-    final ActionMap actions = component.getActionMap();
-    keys.put(KeyStroke.getKeyStroke(key), key);
-    actions.put(key, new KeyAction(job));
-  }
-
-  /** What a key does. */
-  private static final class KeyAction extends javax.swing.AbstractAction {
-
-    private static final long serialVersionUID = 1L;
-
-    private final transient Runnable job;
-
-    KeyAction(final Runnable job) {
-      this.job = job;
-    }
-
-    /** A key of a menu types its character too. */
-    @Override
-    public boolean accept(final Object sender) {
-      return !(EventQueue.getCurrentEvent() instanceof KeyEvent event && event.getID() == KeyEvent.KEY_TYPED
-          && event.isControlDown());
-    }
-
-    @Override
-    public void actionPerformed(final java.awt.event.ActionEvent event) {
-      job.run();
-    }
+  private static void bind(final PictureView view, final String key, final Runnable job) {
+    KeyAction.bind(view, JComponent.WHEN_FOCUSED, key, job);
   }
 }

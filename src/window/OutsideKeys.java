@@ -1,24 +1,15 @@
 package window;
 
-import java.awt.event.ActionEvent;
-
-import javax.swing.AbstractAction;
 import javax.swing.JComponent;
-import javax.swing.KeyStroke;
 
 /** The keys of the scene from outside: arrows turn it or, with shift, move it; +, − and 0 set its size; escape closes it. */
-final class OutsideKeys extends AbstractAction {
-
-  private static final long serialVersionUID = 1L;
+final class OutsideKeys {
 
   private static final double DEGREES = 5;
   private static final double STEP = 1.25;
   private static final double FAR = 24;
 
-  private final transient Runnable job;
-
-  private OutsideKeys(final Runnable job) {
-    this.job = job;
+  private OutsideKeys() {
   }
 
   static void bind(final OutsideView view, final Runnable close) {
@@ -37,12 +28,6 @@ final class OutsideKeys extends AbstractAction {
   }
 
   private static void bind(final OutsideView view, final String key, final Runnable job) {
-    view.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke(key), key);
-    view.getActionMap().put(key, new OutsideKeys(job));
-  }
-
-  @Override
-  public void actionPerformed(final ActionEvent event) {
-    job.run();
+    KeyAction.bind(view, JComponent.WHEN_IN_FOCUSED_WINDOW, key, job);
   }
 }
