@@ -4,6 +4,7 @@ import java.awt.BorderLayout;
 import java.awt.FlowLayout;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Objects;
 import java.util.Optional;
@@ -41,7 +42,7 @@ final class Dialogs {
 
   void choosePicture() {
     if (window.view().hasPicture()) {
-      choose("save", "png", false, pictureName()).ifPresent(file -> save(window.view().picture(), file));
+      choose("save", "png", false, pictureName()).ifPresent(file -> saveAs(window.view().picture(), file));
     }
   }
 
@@ -51,9 +52,17 @@ final class Dialogs {
     return name + ".png";
   }
 
-  void save(final BufferedImage picture, final Path file) {
+  /** Saves a picture in a file that was chosen; one that is there already is replaced only if that is meant. */
+  void saveAs(final BufferedImage picture, final Path file) {
+    final Path target = PictureFile.withEnding(file);
+    if (!Files.isRegularFile(target) || JOptionPane.showConfirmDialog(window.frame(), Messages.text("save.replace", target),
+        "UPNaTRay", JOptionPane.YES_NO_OPTION, JOptionPane.WARNING_MESSAGE) == JOptionPane.YES_OPTION) {
+      save(picture, target);
+    }
+  }
+
+  private void save(final BufferedImage picture, final Path target) {
     try {
-      final Path target = PictureFile.withEnding(file);
       PngFile.save(picture, target);
       window.settings().setFolder(target.toAbsolutePath().getParent());
       window.status().showText(Messages.text("status.saved", target));
@@ -126,7 +135,7 @@ final class Dialogs {
   }
 
   private void saveOutside() {
-    choose("outside.save", "png", false, "outside.png").ifPresent(file -> save(outside.image(), file));
+    choose("outside.save", "png", false, "outside.png").ifPresent(file -> saveAs(outside.image(), file));
   }
 
   /** Shows the ray of the pinned pixel in the scene from outside, if that is open. */

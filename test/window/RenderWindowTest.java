@@ -519,7 +519,7 @@ class RenderWindowTest {
   void thePictureIsSavedAndComparedWithAReference() throws Exception {
     final Path file = folder.resolve("saved.png");
     on(() -> {
-      window.dialogs().save(window.view().picture(), file);
+      window.dialogs().saveAs(window.view().picture(), file);
       window.dialogs().compareWith(file);
       return null;
     });
@@ -539,7 +539,7 @@ class RenderWindowTest {
   @Test
   void aFolderIsNotReplacedByAPictureAndThatIsTold() throws Exception {
     final Path taken = Files.createDirectory(folder.resolve("taken.png"));
-    SwingUtilities.invokeLater(() -> window.dialogs().save(window.view().picture(), taken));
+    SwingUtilities.invokeLater(() -> window.dialogs().saveAs(window.view().picture(), taken));
     waitFor(() -> complaint() != null);
     assertTrue(on(() -> complaint().getMessage().toString()).endsWith("there is a folder of this name"));
     assertTrue(Files.isDirectory(taken));
@@ -547,6 +547,23 @@ class RenderWindowTest {
       complaint().setValue(JOptionPane.OK_OPTION);
       return null;
     });
+  }
+
+  @Test
+  void aFileIsReplacedOnlyIfThatIsMeant() throws Exception {
+    final Path taken = Files.writeString(folder.resolve("taken.png"), "a letter");
+    for (final int answer : new int[] {JOptionPane.NO_OPTION, JOptionPane.YES_OPTION}) {
+      assertEquals("a letter", Files.readString(taken));
+      SwingUtilities.invokeLater(() -> window.dialogs().saveAs(window.view().picture(), taken));
+      waitFor(() -> complaint() != null);
+      on(() -> {
+        complaint().setValue(answer);
+        return null;
+      });
+      waitFor(() -> complaint() == null);
+      on(() -> null);
+    }
+    assertEquals(RED, ImageIO.read(taken.toFile()).getRGB(40, 30));
   }
 
   private static JOptionPane complaint() {
