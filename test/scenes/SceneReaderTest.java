@@ -135,6 +135,14 @@ class SceneReaderTest {
         SceneReader.read(Path.of("/dev/zero")).problems().toString());
   }
 
+  /** Found by the fuzzer, seed 5094029 of SCENE_BYTES. */
+  @Test
+  void aLineEndInANameDoesNotBreakAMessage() {
+    final String message = files.readModel("mesh", "<objFile>me\nsh\u0085.obj</objFile>").problems().get(0).message();
+    assertTrue(message.startsWith("there is no mesh file `me sh .obj`: looked for "), message);
+    assertTrue(message.endsWith("me sh .obj") && message.lines().count() == 1, message);
+  }
+
   @Test
   void warningsAreNoErrorsHoweverMany() {
     final Reading reading = files.readWith("<raster>", "<x/>".repeat(2 * Problems.MOST) + "<raster>");
