@@ -22,8 +22,12 @@ final class Tiles {
     this.kind = kind;
     this.size = size;
     final double scale = size * (kind == Kind.ROUNDED_PRISM ? 1e5 : Math.pow(10, 6 * random.nextDouble() - 3));
-    origin = new double[] {(float) (scale * random.nextGaussian()), (float) (scale * random.nextGaussian()),
-        random.nextInt(4) == 0 ? 0 : (float) (scale * random.nextGaussian())};
+    origin = new double[] {scale * random.nextGaussian(), scale * random.nextGaussian(),
+        random.nextInt(4) == 0 ? 0 : scale * random.nextGaussian()};
+    // In the frame of a transformed object, and only there, a ray starts at any double.
+    for (int k = 0; k < 3 && kind != Kind.SKEWED; k++) {
+      origin[k] = (float) origin[k];
+    }
     z = random.nextInt(4) == 0 ? new double[] {0, 0, -1} : unit(random);
     x = random.nextInt(4) == 0 ? perpendicular(new double[] {1, 0.5, 0}) : perpendicular(unit(random));
     y = cross(z, x);

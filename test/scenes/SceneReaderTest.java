@@ -124,7 +124,7 @@ class SceneReaderTest {
     assertTrue(reading.scene().isEmpty());
     assertEquals(Problems.MOST + 1, reading.problems().size());
     final Problem last = reading.problems().get(Problems.MOST);
-    assertTrue(last.isError() && last.message().startsWith("problems that are not told any more, from here on: "),
+    assertTrue(last.isError() && last.message().startsWith("further problems that are not told: "),
         last::toString);
   }
 
@@ -147,7 +147,7 @@ class SceneReaderTest {
   void warningsAreNoErrorsHoweverMany() {
     final Reading reading = files.readWith("<raster>", "<x/>".repeat(2 * Problems.MOST) + "<raster>");
     assertTrue(reading.scene().isPresent());
-    assertEquals("3:4003: warning: problems that are not told any more, from here on: " + Problems.MOST,
+    assertEquals("3:4003: warning: further problems that are not told: " + Problems.MOST,
         reading.problems().get(Problems.MOST).toString().replaceFirst("^[^:]*:", ""));
   }
 
