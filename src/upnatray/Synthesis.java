@@ -72,7 +72,7 @@ final class Synthesis {
         threads[started].start();
       }
     } catch (OutOfMemoryError noMoreThreads) {
-      return started;
+      // Those that have started, and the calling thread, share the work.
     }
     return started;
   }

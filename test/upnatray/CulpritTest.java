@@ -19,8 +19,10 @@ import primitives.Point3D;
 import primitives.Vector3D;
 import tracer.Hit;
 import tracer.Ray;
+import tracer.RayGenerator;
 import view.Camera;
 import view.Perspective;
+import view.Projection;
 
 /** What the author of an object is told when it fails while a picture is computed. */
 class CulpritTest {
@@ -148,5 +150,36 @@ class CulpritTest {
     assertTrue(box.startsWith("upnatray.CulpritTest$Careless.getBoundingBox failed at pixel"), box);
     final String colour = messageOf(new Careless(true)).getMessage();
     assertTrue(colour.startsWith("upnatray.CulpritTest$Careless.getColor failed at pixel (0, 0)"), colour);
+  }
+
+  /** A projection whose rays end in the middle of the picture. */
+  private static final class HalfDone extends Projection {
+
+    HalfDone() {
+      super(1, 1);
+    }
+
+    @Override
+    public RayGenerator getRayGenerator(final Camera camera, final int W, final int H) {
+      return new RayGenerator(camera, W, H) {
+        @Override
+        public Ray getRay(final int m, final int n) {
+          if (n == 9 && m == 17) {
+            throw new ArithmeticException("by a student");
+          }
+          return new Ray(camera.getPosition(), new Point3D(m, n, 0));
+        }
+      };
+    }
+  }
+
+  @Test
+  void namesTheGeneratorThatFailed() {
+    final Camera camera = new Camera(new Point3D(0, 0, 5), new Point3D(), new Vector3D(0, 1, 0));
+    camera.setProjection(new HalfDone());
+    final String message = assertThrows(IllegalStateException.class,
+        () -> new Image(30, 20, Color.BLACK).synthesis(new Group3D(), camera)).getMessage();
+    assertTrue(message.matches("upnatray\\.CulpritTest\\$HalfDone\\$1\\.getRay failed at pixel \\(17, 9\\): .*by a student"),
+        message);
   }
 }
