@@ -76,9 +76,7 @@ public final class RenderJob {
     try {
       final Rendering rendering = new Rendering(threads, shading(), progress);
       final boolean completed = (numbers == null ? image : numbers).synthesis(objects(), scene.camera(), rendering);
-      for (int y = 0; numbers != null && y < image.getHeight(); y++) {
-        paint(0, y, image.getWidth(), 1);
-      }
+      scale().ifPresent(this::recolour);
       return completed;
     } finally {
       end = System.nanoTime();
@@ -146,6 +144,18 @@ public final class RenderJob {
       bits[i] = bits[i] == 0 ? 0 : scale.argb(number(bits[i]));
     }
     image.setRGB(x, y, width, height, bits, 0, width);
+  }
+
+  /** Brings all numbers to one scale; pixels without any, such as those that were not rendered, stay as they are. */
+  private void recolour(final ColourScale scale) {
+    final int W = image.getWidth();
+    for (int y = 0; y < image.getHeight(); y++) {
+      final int[] bits = numbers.getRGB(0, y, W, 1, null, 0, W), row = image.getRGB(0, y, W, 1, null, 0, W);
+      for (int x = 0; x < W; x++) {
+        row[x] = bits[x] == 0 ? row[x] : scale.argb(number(bits[x]));
+      }
+      image.setRGB(0, y, W, 1, row, 0, W);
+    }
   }
 
   private synchronized ColourScale widened(final int[] bits) {

@@ -116,7 +116,10 @@ class RenderJobTest {
   void aPictureOfNumbersThatIsCancelledHasOneScale() {
     final RenderJob job = new RenderJob(everyShape(), View.DEPTH, 320, 240, 1);
     final AtomicInteger tiles = new AtomicInteger();
+    job.image().setRGB(0, 0, 0xff123456);
     assertFalse(job.run((x, y, width, height) -> tiles.incrementAndGet() < 60));
+    assertEquals(0xff123456, job.image().getRGB(0, 0), "what is not rendered stays as it was");
+    job.image().setRGB(0, 0, 0);
     final ColourScale scale = job.scale().orElseThrow();
     final RayGenerator rays = everyShape().camera().getRayGenerator(320, 240);
     int shown = 0;
