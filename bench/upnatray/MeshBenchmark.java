@@ -3,6 +3,8 @@ package upnatray;
 import java.awt.Color;
 import java.util.concurrent.TimeUnit;
 
+import models.Group3D;
+import models.TriangularMesh;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -12,9 +14,7 @@ import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
-
-import models.Group3D;
-import models.TriangularMesh;
+import rendering.RenderSettings;
 import view.Camera;
 
 /** How the cost of a picture of a mesh, and of building its tree, grows with its number of triangles. */
@@ -29,7 +29,7 @@ public class MeshBenchmark {
   public int triangles;
 
   private final Image image = new Image(512, 512, Color.BLACK);
-  private final Camera camera = RandomScene.camera();
+  private final Camera camera = BenchmarkScene.camera();
   private final Group3D scene = new Group3D();
   private float[] coordinates;
   private int[] corners;
@@ -37,8 +37,8 @@ public class MeshBenchmark {
   /** Makes the mesh. */
   @Setup
   public void make() {
-    coordinates = RandomScene.coordinates(triangles);
-    corners = RandomScene.corners(triangles);
+    coordinates = BenchmarkScene.coordinates(triangles);
+    corners = BenchmarkScene.corners(triangles);
     scene.addObject(TriangularMesh.of(coordinates, corners, Color.ORANGE));
   }
 
@@ -49,7 +49,7 @@ public class MeshBenchmark {
    */
   @Benchmark
   public boolean picture() {
-    return image.synthesis(scene, camera, Rendering.STANDARD.withThreads(1));
+    return image.synthesis(scene, camera, RenderSettings.STANDARD.withThreads(1));
   }
 
   /**

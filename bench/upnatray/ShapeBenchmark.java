@@ -52,7 +52,7 @@ public class ShapeBenchmark {
   @Setup
   public void make() {
     object = object(shape);
-    rays = RandomScene.rays(RAYS);
+    rays = BenchmarkScene.rays(RAYS);
   }
 
   private static Object3D object(final String name) {
@@ -70,7 +70,7 @@ public class ShapeBenchmark {
       case "ellipsoid" -> new Ellipsoid(O, x, y, 0.9f, 0.6f, 0.4f, color);
       case "transformed sphere" -> new AffineTransformation(new Vector3f(1, 0.5f, 0.7f), new Vector3f(0, 0, 1), 30,
           new Vector3f(0.1f, 0, 0), new Sphere(O, 0.8f, color));
-      case "mesh 100k" -> RandomScene.mesh(100_000);
+      case "mesh 100k" -> BenchmarkScene.mesh(100_000);
       default -> group();
     };
   }

@@ -8,20 +8,20 @@ final class Bins {
   private final float[] boxes;
   private final int[] order;
   private final int[] counts = new int[COUNT];
-  private final Extent[] extents = new Extent[COUNT];
+  private final BoxBuilder[] extents = new BoxBuilder[COUNT];
   private final double[] rightCosts = new double[COUNT];
-  private final Extent sweep = new Extent();
+  private final BoxBuilder sweep = new BoxBuilder();
 
   Bins(final float[] boxes, final int[] order) {
     this.boxes = boxes;
     this.order = order;
     for (int i = 0; i < COUNT; i++) {
-      extents[i] = new Extent();
+      extents[i] = new BoxBuilder();
     }
   }
 
   /** Splits where the surface area heuristic expects the least work; null if all centres fall into one bin. */
-  Split split(final int first, final int end, final Extent centres) {
+  Split split(final int first, final int end, final BoxBuilder centres) {
     final int axis = centres.longest();
     final float least = centres.least(axis), scale = COUNT / centres.length(axis);
     fill(first, end, axis, least, scale);
@@ -39,13 +39,13 @@ final class Bins {
       extents[i].clear();
     }
     for (int i = first; i < end; i++) {
-      final int b = bin(Extent.centre(boxes, 6 * i, axis), least, scale);
+      final int b = bin(BoxBuilder.centre(boxes, 6 * i, axis), least, scale);
       counts[b]++;
       extents[b].add(boxes, 6 * i);
     }
   }
 
-  /** The bin at which the right side begins; -1 if there is no border with things on both sides. */
+  /** The bin at which the right side begins; -1 if there is no border with primitives on both sides. */
   private int cheapest() {
     sweep.clear();
     int count = 0;
@@ -78,7 +78,7 @@ final class Bins {
     }
     int i = first, j = end;
     while (i < j) {
-      if (bin(Extent.centre(boxes, 6 * i, axis), least, scale) < border) {
+      if (bin(BoxBuilder.centre(boxes, 6 * i, axis), least, scale) < border) {
         split.leftCentres.addCentre(boxes, 6 * i++);
       } else {
         swap(i, --j);

@@ -1,17 +1,17 @@
 package acceleration;
 
 /**
- * A bounding volume hierarchy: a binary tree of boxes over numbered things, to find those that a ray may meet without
+ * A bounding volume hierarchy: a binary tree of boxes over numbered primitives, to find those that a ray may meet without
  * looking at all of them. Immutable, safe for use by several threads.
  *
  * <p>An inner node holds the boxes of its two children side by side in one array of floats, 12 of them, so that one visit
  * touches one place in memory, and two links in an array of ints. A link that is not negative is the number of an inner
- * node; a negative one is a leaf, ~(first · 8 + count − 1), of the things at the places first … first + count − 1 of the
+ * node; a negative one is a leaf, ~(first · 8 + count − 1), of the primitives at the places first … first + count − 1 of the
  * order that building the tree has put them in.
  */
 public final class Bvh {
 
-  /** Greatest number of things in a leaf. */
+  /** Greatest number of primitives in a leaf. */
   public static final int MOST_IN_LEAF = 8;
 
   /** What a far side of a box is moved by: a subtraction and a multiplication by a rounded reciprocal on either side. */
@@ -20,11 +20,11 @@ public final class Bvh {
   /** The tree of nothing. */
   static final Bvh EMPTY = new Bvh(0, new float[6], new float[0], new int[0], -1, 0);
 
-  /** Whoever owns the things of a tree. */
+  /** Whoever owns the primitives of a tree. */
   public interface Leaves {
 
     /**
-     * Asks the things of a leaf.
+     * Asks the primitives of a leaf.
      *
      * @param first place of the first one
      * @param end place after the last one
@@ -40,7 +40,7 @@ public final class Bvh {
   private final int root;
   private final int depth;
 
-  /** A tree of so many things and finished nodes within a whole box; see the class comment for the arrays. */
+  /** A tree of so many primitives and finished nodes within a whole box; see the class comment for the arrays. */
   Bvh(final int size, final float[] whole, final float[] boxes, final int[] links, final int root, final int depth) {
     this.size = size;
     this.whole = whole;
@@ -54,7 +54,7 @@ public final class Bvh {
    * Builds the tree of some boxes.
    *
    * @param boxes six floats for each box: its least x, y, z, then its greatest, all finite; used as working space
-   * @param leaf how many things a leaf may hold, 1 … {@link #MOST_IN_LEAF}
+   * @param leaf how many primitives a leaf may hold, 1 … {@link #MOST_IN_LEAF}
    * @param order as long as there are boxes; gets at each place the number of the thing that belongs there
    * @return the tree
    */
@@ -75,7 +75,7 @@ public final class Bvh {
    * @param dx first component of the direction, of unit length
    * @param dy second component of the direction
    * @param dz third component of the direction
-   * @param leaves whoever owns the things
+   * @param leaves whoever owns the primitives
    */
   public void closest(final double x, final double y, final double z, final double dx, final double dy, final double dz,
       final Leaves leaves) {
@@ -134,7 +134,7 @@ public final class Bvh {
    * of its own and ask it with the same frustum.
    *
    * @param frustum the frustum of the tile, which must be fitted
-   * @param leaves whoever owns the things
+   * @param leaves whoever owns the primitives
    */
   public void closest(final TileFrustum frustum, final Leaves leaves) {
     if (isEmpty()) {

@@ -6,18 +6,19 @@ import java.util.concurrent.RecursiveTask;
 /**
  * Builds a tree from boxes, from the top down: the boxes of a node are sorted into bins by their centres along the longest
  * side of the centres' box, and split between two bins where the surface area heuristic expects the least work: the sum over
- * both sides of area times number of things. Source: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies",
- * Symposium on Interactive Ray Tracing, 2007. Where all centres coincide, and far down, the things are halved.
+ * both sides of area times number of primitives. Source: Wald, "On fast Construction of SAH-based Bounding Volume
+ * Hierarchies",
+ * Symposium on Interactive Ray Tracing, 2007. Where all centres coincide, and far down, the primitives are halved.
  *
  * <p>The boxes themselves are moved, not pointed at, so that every pass reads memory in order. Large parts are built by
  * several threads; the tree is the same.
  */
 final class BvhBuilder {
 
-  /** Smallest number of things that is worth a task of its own. */
+  /** Smallest number of primitives that is worth a task of its own. */
   private static final int PARALLEL = 1 << 13;
 
-  /** Depth at which things are halved instead, so that no order of boxes makes a tree too deep. */
+  /** Depth at which primitives are halved instead, so that no order of boxes makes a tree too deep. */
   private static final int DEEP = 48;
 
   private final float[] boxes;
@@ -38,11 +39,11 @@ final class BvhBuilder {
     if (n == 0) {
       return Bvh.EMPTY;
     }
-    final Extent whole = new Extent();
+    final BoxBuilder whole = new BoxBuilder();
     for (int i = 0; i < n; i++) {
       whole.add(boxes, 6 * i);
     }
-    final Task task = new Task(0, n, Extent.of(boxes, 0, n), 0);
+    final Task task = new Task(0, n, BoxBuilder.of(boxes, 0, n), 0);
     final Subtree tree = n < PARALLEL ? task.compute() : ForkJoinPool.commonPool().invoke(task);
     return tree.toBvh(n, task.link, whole.numbers());
   }
@@ -54,12 +55,12 @@ final class BvhBuilder {
 
     private final int first;
     private final int end;
-    private final transient Extent centres;
+    private final transient BoxBuilder centres;
     private final int depth;
     private int link;
     private transient Bins bins;
 
-    Task(final int first, final int end, final Extent centres, final int depth) {
+    Task(final int first, final int end, final BoxBuilder centres, final int depth) {
       this.first = first;
       this.end = end;
       this.centres = centres;
@@ -84,7 +85,7 @@ final class BvhBuilder {
       return node;
     }
 
-    private int build(final Subtree tree, final int from, final int to, final Extent middles, final int level) {
+    private int build(final Subtree tree, final int from, final int to, final BoxBuilder middles, final int level) {
       if (to - from <= leaf) {
         tree.depth = Math.max(tree.depth, level);
         return Bvh.leaf(from, to - from);
@@ -96,7 +97,7 @@ final class BvhBuilder {
       return node;
     }
 
-    private Split split(final int from, final int to, final Extent middles, final int level) {
+    private Split split(final int from, final int to, final BoxBuilder middles, final int level) {
       final Split split = level < DEEP ? bins.split(from, to, middles) : null;
       return split != null ? split : bins.halve(from, to);
     }

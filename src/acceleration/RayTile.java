@@ -12,7 +12,7 @@ import primitives.BoundingBox;
  * <p>Ray i belongs to column {@code i % SIZE} and row {@code i / SIZE} of the tile. Directions are kept twice: as the
  * floats of a {@code tracer.Ray}, and brought to unit length in double, which is what computations use.
  *
- * <p>A tile also has a <em>window</em>, the columns and rows that may meet the object at hand ({@link #look});
+ * <p>A tile also has a <em>window</em>, the columns and rows that may meet the object at hand ({@link #narrowTo});
  * who asks an object's rays one by one needs to walk the window only. Not safe for use by several threads: each has
  * its own.
  */
@@ -146,7 +146,7 @@ public final class RayTile {
       bringToUnit(n, vx, vy, vz, directionX, directionY, directionZ);
     }
     frustum.fit(this);
-    lookEverywhere();
+    reset();
   }
 
   // The loops below convert nothing, so that the compiler can make vector instructions of them.
@@ -201,7 +201,7 @@ public final class RayTile {
   }
 
   /** Makes the whole tile the window. */
-  public void lookEverywhere() {
+  public void reset() {
     firstColumn = 0;
     lastColumn = columns - 1;
     firstRow = 0;
@@ -214,8 +214,8 @@ public final class RayTile {
    * @param box the box, perhaps without end
    * @return whether any pixel is left
    */
-  public boolean look(final BoundingBox box) {
-    lookEverywhere();
+  public boolean narrowTo(final BoundingBox box) {
+    reset();
     if (!frustum.isFitted() || !box.isFinite()) {
       return true;
     }

@@ -55,7 +55,7 @@ final class Subtree {
     }
   }
 
-  /** The finished tree of things within a box. */
+  /** The finished tree of primitives within a box. */
   Bvh toBvh(final int size, final int root, final float[] whole) {
     return new Bvh(size, whole, Arrays.copyOf(boxes, 12 * nodes), Arrays.copyOf(links, 2 * nodes), root, depth + 1);
   }

@@ -1,7 +1,8 @@
 /**
  * The acceleration structure: boxes and rays only, no shape is known to it.
  *
- * <p>A {@link acceleration.Bvh} is a tree of boxes over things that somebody else owns, built by the surface area heuristic
+ * <p>A {@link acceleration.Bvh} is a tree of boxes over primitives that somebody else owns, built by the surface area
+ * heuristic
  * ({@link acceleration.BvhBuilder}). It is asked with one ray, or with a {@link acceleration.RayTile} of up to 16 × 16
  * rays at once, whose {@link acceleration.TileFrustum} tells which boxes they may cross. Leaves are handed to the owner, who
  * asks what lies in them and answers how far away a thing may be and still matter. The promise: the same closest thing as

@@ -1,8 +1,5 @@
 package arguments;
 
-import java.text.MessageFormat;
-import java.util.ResourceBundle;
-
 import javax.vecmath.Tuple3f;
 
 /**
@@ -196,10 +193,6 @@ public final class Arguments {
   }
 
   private static String message(final String key, final Object... parts) {
-    final Object[] texts = new Object[parts.length];
-    for (int i = 0; i < parts.length; i++) {
-      texts[i] = String.valueOf(parts[i]);
-    }
-    return MessageFormat.format(ResourceBundle.getBundle("arguments.messages").getString(key), texts);
+    return Messages.text("arguments." + key, parts);
   }
 }

@@ -41,7 +41,7 @@ public record Difference(long differing, int largest, double mean, int worstX, i
       final int[] row = picture.getRGB(0, y, W, 1, null, 0, W), other = reference.getRGB(0, y, W, 1, null, 0, W);
       for (int x = 0; x < W; x++) {
         final int difference = difference(row[x], other[x]);
-        row[x] = difference == 0 ? 0 : upnatray.ColourScale.heat(LEAST_SEEN + (1 - LEAST_SEEN) * difference / 255);
+        row[x] = difference == 0 ? 0 : rendering.ColourScale.heat(LEAST_SEEN + (1 - LEAST_SEEN) * difference / 255);
         differing += difference == 0 ? 0 : 1;
         sum += difference;
         if (difference > largest) {

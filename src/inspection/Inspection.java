@@ -12,7 +12,7 @@ import java.util.Optional;
  * @param colour how the colour comes about, step by step; the last step has the colour of the pixel
  * @param tests what finding the closest hit cost, see {@link models.Cost}
  */
-public record Inspection(PixelRay pixel, List<Meeting> meetings, List<ColourStep> colour, int tests) {
+public record Inspection(PixelRay pixel, List<Intersection> meetings, List<ColourStep> colour, int tests) {
 
   /**
    * Copies the lists.
@@ -33,8 +33,8 @@ public record Inspection(PixelRay pixel, List<Meeting> meetings, List<ColourStep
    *
    * @return the closest; empty if nothing is met
    */
-  public Optional<Meeting> winner() {
-    return meetings.stream().filter(Meeting::winner).findFirst();
+  public Optional<Intersection> winner() {
+    return meetings.stream().filter(Intersection::winner).findFirst();
   }
 
   /**

@@ -10,12 +10,12 @@ import java.util.List;
 import acceleration.RayTile;
 import models.Cost;
 import models.TileHits;
-import scenes.Scene;
+import scenes.SceneFile;
 import tracer.Hit;
 import tracer.Ray;
 import tracer.RayGenerator;
 import upnatray.RenderJob;
-import upnatray.Shading;
+import rendering.Shading;
 
 /**
  * Answers questions about the pixels of a picture. It asks every object of the scene, one after the other and without any
@@ -23,7 +23,7 @@ import upnatray.Shading;
  */
 public final class Inspector {
 
-  private final Scene scene;
+  private final SceneFile scene;
   private final RayGenerator generator;
 
   /**
@@ -34,7 +34,7 @@ public final class Inspector {
    * @param H height of the picture in pixels, at least 1
    * @throws IllegalArgumentException if the scene is null or the picture has no pixel
    */
-  public Inspector(final Scene scene, final int W, final int H) {
+  public Inspector(final SceneFile scene, final int W, final int H) {
     this.scene = notNull("scene", scene);
     this.generator = scene.camera().getRayGenerator(W, H);
   }
@@ -77,8 +77,9 @@ public final class Inspector {
     }
   }
 
-  private List<Meeting> meetings(final Ray ray, final Hit closest) {
-    final List<Meeting> meetings = ray == Ray.NORAY ? new ArrayList<>() : new ArrayList<>(new Meetings(scene, ray).all());
+  private List<Intersection> meetings(final Ray ray, final Hit closest) {
+    final List<Intersection> meetings = ray == Ray.NORAY ? new ArrayList<>() : new ArrayList<>(new AllIntersections(scene,
+        ray).all());
     meetings.sort(Comparator.comparing(meeting -> meeting.hit().getT()));
     for (int i = 0; i < meetings.size(); i++) {
       if (closest.hits() && meetings.get(i).hit().getObject() == closest.getObject()) {

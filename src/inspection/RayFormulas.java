@@ -44,7 +44,7 @@ final class RayFormulas {
       add("z", "", "", -1);
       throughPoint((float) x, (float) y, -1);
     } else {
-      Cap.of(projection).ifPresent(cap -> throughCap(cap, x, y, ray));
+      FishEyeCap.of(projection).ifPresent(cap -> throughCap(cap, x, y, ray));
     }
     return formulas;
   }
@@ -89,7 +89,7 @@ final class RayFormulas {
     return sum.toString();
   }
 
-  private void throughCap(final Cap cap, final double x, final double y, final Ray ray) {
+  private void throughCap(final FishEyeCap cap, final double x, final double y, final Ray ray) {
     final double rho = Math.hypot(x, y);
     add(cap.rimName(), "w / 2", Numbers.text(projection.getWidth()) + " / 2", cap.rim());
     add("ρ", "√(x² + y²)", "√(" + Numbers.text(x) + "² + " + Numbers.text(y) + "²)", rho);

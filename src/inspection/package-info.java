@@ -3,8 +3,8 @@
  * normal rendering.
  *
  * <p>{@link inspection.Inspector} tells of a pixel its ray and how the projection made it, all objects that the ray meets,
- * and how the colour comes about; {@link inspection.TestText} writes such a hit down as a JUnit test;
- * {@link inspection.Difference} compares two pictures; {@link inspection.Outline} is a line drawing of camera and scene
+ * and how the colour comes about; {@link inspection.JUnitTestWriter} writes such a hit down as a JUnit test;
+ * {@link inspection.Difference} compares two pictures; {@link inspection.Wireframe} is a line drawing of camera and scene
  * seen from outside.
  */
 package inspection;

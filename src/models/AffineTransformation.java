@@ -56,7 +56,7 @@ public class AffineTransformation extends Object3D {
   public AffineTransformation(final Vector3f s, final Vector3f axis, final float theta,
       final Vector3f d, final Object3D object) {
     this.object = notNull("object", object);
-    object.becomePart();
+    object.markContained();
     this.shiftX = finite("d", d).x;
     this.shiftY = d.y;
     this.shiftZ = d.z;
@@ -151,8 +151,8 @@ public class AffineTransformation extends Object3D {
   }
 
   @Override
-  void becomePart() {
-    object.becomePart();
+  void markContained() {
+    object.markContained();
   }
 
   @Override
@@ -292,7 +292,7 @@ public class AffineTransformation extends Object3D {
 
   @Override
   public BoundingBox getBoundingBox() {
-    final BoundingBox box = GroupMembers.boxOf(object);
+    final BoundingBox box = FlatGroup.boxOf(object);
     if (!box.isFinite()) {
       return box;
     }

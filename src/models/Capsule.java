@@ -55,7 +55,7 @@ public class Capsule extends Object3D {
     final Axis u = axis;
     final double lx = u.x - sx, ly = u.y - sy, lz = u.z - sz;
     final double s = u.along(lx, ly, lz), d = u.along(dx, dy, dz);
-    final RoundSide side = new RoundSide(lx - s * u.ux, ly - s * u.uy, lz - s * u.uz,
+    final InfiniteCylinder side = new InfiniteCylinder(lx - s * u.ux, ly - s * u.uy, lz - s * u.uz,
         dx - d * u.ux, dy - d * u.uy, dz - d * u.uz, r);
     final double above = side.enter * d - s, below = side.leave * d - s;
     final double enter = Math.abs(above) <= half ? side.enter : end(lx, ly, lz, dx, dy, dz, Math.copySign(half, above), -1);

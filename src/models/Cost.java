@@ -7,7 +7,7 @@ import tracer.Ray;
 /**
  * What it costs to find out what one ray meets: the number of objects that are asked, without those that the tree of
  * their boxes leaves out; of a mesh, the number of its triangles that are tested; of an object that is marched to, the
- * number of steps of its {@link March}.
+ * number of steps of its {@link SphereTrace}.
  *
  * <p>This is a matter of looking closer. It asks the question anew and counts; no other question is slowed down by it. In
  * an image, rays that are close together are traced together, and share some of this work.

@@ -55,7 +55,7 @@ public class Cylinder extends Object3D {
     final Axis u = axis;
     final double lx = u.x - sx, ly = u.y - sy, lz = u.z - sz;
     final double s = u.along(lx, ly, lz), d = u.along(dx, dy, dz);
-    final RoundSide side = new RoundSide(lx - s * u.ux, ly - s * u.uy, lz - s * u.uz,
+    final InfiniteCylinder side = new InfiniteCylinder(lx - s * u.ux, ly - s * u.uy, lz - s * u.uz,
         dx - d * u.ux, dy - d * u.uy, dz - d * u.uz, r);
     final double enter = Math.max(side.enter, Slab.enter(-s, d, half));
     final double leave = Math.min(side.leave, Slab.leave(-s, d, half));

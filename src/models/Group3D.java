@@ -38,7 +38,7 @@ public class Group3D extends Object3D {
   private static final Object ADDING = new Object();
 
   private final List<Object3D> objects = new ArrayList<>();
-  private volatile GroupMembers members;
+  private volatile FlatGroup members;
   /** Whether it is within another object, and so can come to contain itself. */
   private volatile boolean isPart;
 
@@ -59,7 +59,7 @@ public class Group3D extends Object3D {
       if (obj == this || isPart && contains(obj, this)) {
         throw wrong("cycle");
       }
-      obj.becomePart();
+      obj.markContained();
       synchronized (objects) {
         objects.add(obj);
       }
@@ -68,7 +68,7 @@ public class Group3D extends Object3D {
   }
 
   @Override
-  void becomePart() {
+  void markContained() {
     isPart = true;
   }
 
@@ -106,14 +106,14 @@ public class Group3D extends Object3D {
     }
   }
 
-  private GroupMembers members() {
-    final GroupMembers known = members;
+  private FlatGroup members() {
+    final FlatGroup known = members;
     final long additions = ADDITIONS.get();
     if (known != null && known.areOf(additions)) {
       return known;
     }
     synchronized (this) {
-      members = GroupMembers.of(this, members, additions);
+      members = FlatGroup.of(this, members, additions);
       return members;
     }
   }

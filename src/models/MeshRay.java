@@ -58,7 +58,7 @@ final class MeshRay implements Bvh.Leaves {
   private void test(final int place) {
     final double x = ray.startX(), y = ray.startY(), z = ray.startZ();
     final int a = mesh.vertex(place, 0), b = mesh.vertex(place, 1), c = mesh.vertex(place, 2);
-    final double distance = EdgeTest.distance(
+    final double distance = WatertightTest.distance(
         mesh.coordinate(a) - x, mesh.coordinate(a + 1) - y, mesh.coordinate(a + 2) - z,
         mesh.coordinate(b) - x, mesh.coordinate(b + 1) - y, mesh.coordinate(b + 2) - z,
         mesh.coordinate(c) - x, mesh.coordinate(c + 1) - y, mesh.coordinate(c + 2) - z,

@@ -7,7 +7,7 @@ import acceleration.TileFrustum;
 /**
  * The closest triangles of a mesh on the rays of a tile. A triangle of a leaf is projected into the tile, and only the rays
  * of the pixels that it may cover are tested. If the rays share a start, what the test needs of a triangle is computed once
- * for all of them. The numbers are those of {@link EdgeTest#distance}, bit for bit.
+ * for all of them. The numbers are those of {@link WatertightTest#distance}, bit for bit.
  */
 final class MeshTile implements Bvh.Leaves {
 
@@ -104,7 +104,7 @@ final class MeshTile implements Bvh.Leaves {
         final int k = Long.numberOfTrailingZeros(mask), i = first + k / width * RayTile.SIZE + k % width;
         final double dx = rays.directionX(i), dy = rays.directionY(i), dz = rays.directionZ(i);
         if (dx * ex + dy * ey + dz * ez > error && dx * fx + dy * fy + dz * fz > error && dx * gx + dy * gy + dz * gz > error
-            || EdgeTest.isInsideExactly(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz)) {
+            || WatertightTest.isInsideExactly(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz)) {
           offer(i, place, plane / (dx * nx + dy * ny + dz * nz));
         }
       }
@@ -116,7 +116,7 @@ final class MeshTile implements Bvh.Leaves {
     for (int row = frustum.firstRow(); row <= frustum.lastRow(); row++) {
       for (int i = row * RayTile.SIZE + frustum.firstColumn(); i <= row * RayTile.SIZE + frustum.lastColumn(); i++) {
         final double sx = rays.startX(i), sy = rays.startY(i), sz = rays.startZ(i);
-        offer(i, place, EdgeTest.distance(
+        offer(i, place, WatertightTest.distance(
             mesh.coordinate(a) - sx, mesh.coordinate(a + 1) - sy, mesh.coordinate(a + 2) - sz,
             mesh.coordinate(b) - sx, mesh.coordinate(b + 1) - sy, mesh.coordinate(b + 2) - sz,
             mesh.coordinate(c) - sx, mesh.coordinate(c + 1) - sy, mesh.coordinate(c + 2) - sz,

@@ -86,7 +86,7 @@ final class MeshTree {
 
   /** Greatest error that the sign of an edge can have, seen from a point. */
   double error(final double x, final double y, final double z) {
-    return EdgeTest.error(box, x, y, z);
+    return WatertightTest.error(box, x, y, z);
   }
 
   void closest(final Ray ray, final Bvh.Leaves leaves) {

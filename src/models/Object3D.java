@@ -123,7 +123,7 @@ public abstract class Object3D {
   }
 
   /** Is told that the object has become part of another. */
-  void becomePart() {
+  void markContained() {
   }
 
   /** Colour of a part, as sRGB with alpha. */

@@ -178,7 +178,7 @@ abstract class ProceduralObject3D extends Object3D {
 
   @Override
   int cost(final Ray ray) {
-    return March.along(ray, this).steps().size();
+    return SphereTrace.along(ray, this).steps().size();
   }
 
   /** A distance rounded to the float next to it that does not exceed it. */

@@ -23,7 +23,7 @@ import tracer.Ray;
  * bound.
  *
  * <p>The march is sphere tracing whose steps know the direction of the ray: they end where it meets a quadric that has the
- * torus on its other side and touches it, not at a sphere that is known to be empty ({@code TorusMarch} derives it). Source
+ * torus on its other side and touches it, not at a sphere that is known to be empty ({@code TorusTrace} derives it). Source
  * of the scheme: Hart, "Sphere tracing: a geometric method for the antialiased ray tracing of implicit surfaces", The
  * Visual Computer 12, 1996.
  */
@@ -41,7 +41,7 @@ public class Torus extends ProceduralObject3D {
   private final double outer;
   private final double outer2;
   private final double inner2;
-  private final TorusMarch march;
+  private final TorusTrace march;
 
   /**
    * A torus.
@@ -62,7 +62,7 @@ public class Torus extends ProceduralObject3D {
     this.outer = this.R + this.r;
     this.outer2 = outer * outer;
     this.inner2 = this.r < this.R ? (this.R - this.r) * (this.R - this.r) : Double.NEGATIVE_INFINITY;
-    this.march = new TorusMarch(this.R, this.r);
+    this.march = new TorusTrace(this.R, this.r);
   }
 
   @Override

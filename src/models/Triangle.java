@@ -19,7 +19,8 @@ import tracer.Ray;
  *
  * <p>With the vertices counted from the start of the ray, it is met if no two of v·(B × C), v·(C × A) and v·(A × B) differ
  * in sign, at t = A·n / (v·n), where n = (B − A) × (C − A). No ray passes between triangles that share an edge or a vertex:
- * {@code EdgeTest} computes the signs so. Sources: Segura and Feito, "Algorithms to test ray-triangle intersection", WSCG
+ * {@code WatertightTest} computes the signs so. Sources: Segura and Feito, "Algorithms to test ray-triangle intersection",
+ * WSCG
  * 2001; Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
  */
 public class Triangle extends Object3D {
@@ -104,8 +105,8 @@ public class Triangle extends Object3D {
 
   @Override
   double distance(final double x, final double y, final double z, final double dx, final double dy, final double dz) {
-    final double t = EdgeTest.distance(ax - x, ay - y, az - z, bx - x, by - y, bz - z, cx - x, cy - y, cz - z,
-        dx, dy, dz, EdgeTest.error(box, x, y, z));
+    final double t = WatertightTest.distance(ax - x, ay - y, az - z, bx - x, by - y, bz - z, cx - x, cy - y, cz - z,
+        dx, dy, dz, WatertightTest.error(box, x, y, z));
     return t > 0 ? t : Double.POSITIVE_INFINITY;
   }
 

@@ -44,7 +44,7 @@ public class TriangularMesh extends Object3D {
    *     not three indices of the map, or if no facet has an area
    */
   public TriangularMesh(final Map<Integer, Point3D> vertices, final List<String> facetas, final Color color) {
-    this(Facets.arrays(vertices, facetas), notNull("color", color));
+    this(FacetParser.arrays(vertices, facetas), notNull("color", color));
   }
 
   /**
@@ -57,7 +57,7 @@ public class TriangularMesh extends Object3D {
    *     not three indices of the map, or if no facet has an area
    */
   public TriangularMesh(final Map<Integer, Point3D> vertices, final List<String> facetas) {
-    this(Facets.arrays(vertices, facetas), null);
+    this(FacetParser.arrays(vertices, facetas), null);
   }
 
   private TriangularMesh(final MeshArrays arrays, final Color color) {

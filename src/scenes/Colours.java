@@ -2,6 +2,8 @@ package scenes;
 
 import java.awt.Color;
 
+import arguments.Messages;
+
 /**
  * Colours of scene files: sRGB triples from 0 to 1 or from 0 to 255, with nothing to say which.
  *

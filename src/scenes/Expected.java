@@ -1,5 +1,7 @@
 package scenes;
 
+import arguments.Messages;
+
 /**
  * What a value should have been; put into words only when it is not, as most files are sound.
  *
@@ -28,9 +30,9 @@ record Expected(String key, Range range) {
   /** The words, for a value of a name. */
   String text(final String name) {
     if (range == null) {
-      return Messages.text(key, name);
+      return Messages.text("scenes." + key, name);
     }
     final String number = "expectedTriple".equals(key) ? "x" : name;
-    return range.hasEnd() ? Messages.text(key, range.about(number)) : Messages.text(key + "Any");
+    return range.hasEnd() ? Messages.text("scenes." + key, range.about(number)) : Messages.text("scenes." + key + "Any");
   }
 }

@@ -3,6 +3,8 @@ package scenes;
 import java.util.Arrays;
 import java.util.List;
 
+import arguments.Messages;
+
 /** Reads the lights of a scene file, as far as to tell what is wrong with them: they have no effect yet. */
 final class LightReader {
 

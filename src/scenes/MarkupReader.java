@@ -5,6 +5,8 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 
+import arguments.Messages;
+
 /**
  * Reads the markup of a scene file, the part of XML 1.0 that is left without document type definitions, into a
  * tree that knows where each thing stands.
@@ -44,7 +46,7 @@ final class MarkupReader {
   }
 
   /** Reads the whole file and answers its document element. */
-  Element read() throws Malformed {
+  Element read() throws XmlSyntaxException {
     checkCharacters();
     while (at < text.length()) {
       if (text.charAt(at) == '<') {
@@ -54,30 +56,30 @@ final class MarkupReader {
       }
     }
     if (!open.isEmpty()) {
-      throw new Malformed(open.peek().offset(), "unclosed", open.peek().name());
+      throw new XmlSyntaxException(open.peek().offset(), "unclosed", open.peek().name());
     }
     if (root == null) {
-      throw new Malformed(0, "noElement", Messages.quote(text));
+      throw new XmlSyntaxException(0, "noElement", Messages.quote(text));
     }
     return root;
   }
 
-  private void checkCharacters() throws Malformed {
+  private void checkCharacters() throws XmlSyntaxException {
     for (int i = 0; i < text.length(); i++) {
       final char c = text.charAt(i);
       if (c < ' ' && c != '\t' && c != '\n' && c != '\r' || c >= '\ufffe') {
-        throw new Malformed(i, "character", Integer.toHexString(c));
+        throw new XmlSyntaxException(i, "character", Integer.toHexString(c));
       }
     }
   }
 
-  private void markup() throws Malformed {
+  private void markup() throws XmlSyntaxException {
     if (text.startsWith("<!--", at)) {
       comment();
     } else if (text.startsWith("<![CDATA[", at)) {
       characterData();
     } else if (text.startsWith("<!", at)) {
-      throw new Malformed(at, "doctype", Messages.quote(text.substring(at, Math.min(at + 9, text.length()))));
+      throw new XmlSyntaxException(at, "doctype", Messages.quote(text.substring(at, Math.min(at + 9, text.length()))));
     } else if (text.startsWith("<?", at)) {
       instruction();
     } else if (text.startsWith("</", at)) {
@@ -87,7 +89,7 @@ final class MarkupReader {
     }
   }
 
-  private void comment() throws Malformed {
+  private void comment() throws XmlSyntaxException {
     final int start = at;
     final String inside = upTo("-->", start + 4, "comment");
     final int dashes = (inside + '-').indexOf("--");
@@ -97,7 +99,7 @@ final class MarkupReader {
     comments.add(new Comment(inside, start));
   }
 
-  private void characterData() throws Malformed {
+  private void characterData() throws XmlSyntaxException {
     final int start = at;
     final String inside = upTo("]]>", start + 9, "CDATA");
     if (open.isEmpty()) {
@@ -107,13 +109,13 @@ final class MarkupReader {
     }
   }
 
-  private void instruction() throws Malformed {
+  private void instruction() throws XmlSyntaxException {
     final int start = at;
     final String inside = upTo("?>", start + 2, "<?");
     final int length = nameLength(start + 2);
     final String target = text.substring(start + 2, start + 2 + length);
     if (length == 0 || length < inside.length() && !isBlank(inside.charAt(length))) {
-      throw new Malformed(start, "instruction", Messages.quote(inside));
+      throw new XmlSyntaxException(start, "instruction", Messages.quote(inside));
     }
     if (target.equalsIgnoreCase("xml") && !(start == 0 && target.equals("xml"))) {
       problems.error(start, "declaration");
@@ -121,10 +123,10 @@ final class MarkupReader {
   }
 
   /** What stands between a place and a mark, past which the reading goes on. */
-  private String upTo(final String mark, final int from, final String what) throws Malformed {
+  private String upTo(final String mark, final int from, final String what) throws XmlSyntaxException {
     final int end = text.indexOf(mark, from);
     if (end < 0) {
-      throw new Malformed(at, "endless", what, mark);
+      throw new XmlSyntaxException(at, "endless", what, mark);
     }
     at = end + mark.length();
     return text.substring(from, end);
@@ -174,15 +176,15 @@ final class MarkupReader {
     return meaning;
   }
 
-  private void startTag() throws Malformed {
+  private void startTag() throws XmlSyntaxException {
     final int start = at++;
     final Element element = new Element(name(start), start, open.peek());
     if (element.depth() > DEEPEST) {
-      throw new Malformed(start, "deep", DEEPEST);
+      throw new XmlSyntaxException(start, "deep", DEEPEST);
     }
     attributes(element);
     if (open.isEmpty() && root != null) {
-      throw new Malformed(start, "secondRoot", element.name(), root.name());
+      throw new XmlSyntaxException(start, "secondRoot", element.name(), root.name());
     }
     if (open.isEmpty()) {
       root = element;
@@ -200,24 +202,24 @@ final class MarkupReader {
   }
 
   /** Reads attributes up to the {@code >} or {@code />} of the tag. */
-  private void attributes(final Element element) throws Malformed {
+  private void attributes(final Element element) throws XmlSyntaxException {
     while (true) {
       final int before = at;
       skipBlanks();
       if (at == text.length()) {
-        throw new Malformed(element.offset(), "endlessTag", element.name());
+        throw new XmlSyntaxException(element.offset(), "endlessTag", element.name());
       }
       if (text.charAt(at) == '>' || text.charAt(at) == '/') {
         return;
       }
       if (at == before || nameLength(at) == 0) {
-        throw new Malformed(at, "attributeExpected", element.name(), Messages.quote(text.substring(at, at + 1)));
+        throw new XmlSyntaxException(at, "attributeExpected", element.name(), Messages.quote(text.substring(at, at + 1)));
       }
       attribute(element);
     }
   }
 
-  private void attribute(final Element element) throws Malformed {
+  private void attribute(final Element element) throws XmlSyntaxException {
     final int start = at;
     final String name = name(start);
     skipBlanks();
@@ -225,7 +227,7 @@ final class MarkupReader {
     skipBlanks();
     final char quote = at < text.length() ? text.charAt(at) : 0;
     if (quote != '"' && quote != '\'') {
-      throw new Malformed(start, "unquoted", name);
+      throw new XmlSyntaxException(start, "unquoted", name);
     }
     at++;
     final String value = attributeValue(start, name, quote);
@@ -236,12 +238,12 @@ final class MarkupReader {
     }
   }
 
-  private String attributeValue(final int start, final String name, final char quote) throws Malformed {
+  private String attributeValue(final int start, final String name, final char quote) throws XmlSyntaxException {
     final StringBuilder value = new StringBuilder();
     while (true) {
       final char c = at < text.length() ? text.charAt(at) : '<';
       if (c == '<') {
-        throw new Malformed(start, "endlessValue", name, quote);
+        throw new XmlSyntaxException(start, "endlessValue", name, quote);
       }
       if (c == quote) {
         at++;
@@ -256,34 +258,35 @@ final class MarkupReader {
     }
   }
 
-  private void endTag() throws Malformed {
+  private void endTag() throws XmlSyntaxException {
     final int start = at;
     at += 2;
     final String name = name(start);
     skipBlanks();
     expect('>', start, name);
     if (open.isEmpty()) {
-      throw new Malformed(start, "closesNothing", name);
+      throw new XmlSyntaxException(start, "closesNothing", name);
     }
     final Element element = open.pop();
     if (!element.name().equals(name)) {
       final int line = problems.source().line(element.offset());
-      throw new Malformed(start, "closesOther", name, element.name(), line);
+      throw new XmlSyntaxException(start, "closesOther", name, element.name(), line);
     }
     element.close(at);
   }
 
-  private void expect(final char expected, final int start, final String name) throws Malformed {
+  private void expect(final char expected, final int start, final String name) throws XmlSyntaxException {
     if (at == text.length() || text.charAt(at) != expected) {
-      throw new Malformed(start, "markExpected", name, expected);
+      throw new XmlSyntaxException(start, "markExpected", name, expected);
     }
     at++;
   }
 
-  private String name(final int start) throws Malformed {
+  private String name(final int start) throws XmlSyntaxException {
     final int length = nameLength(at);
     if (length == 0) {
-      throw new Malformed(start, "strayMark", Messages.quote(text.substring(start, Math.min(start + 12, text.length()))));
+      throw new XmlSyntaxException(start, "strayMark", Messages.quote(text.substring(start, Math.min(start + 12,
+          text.length()))));
     }
     at += length;
     return text.substring(at - length, at);

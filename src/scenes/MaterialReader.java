@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
+import arguments.Messages;
+
 /**
  * Reads the materials of a scene file: tells what is wrong with them and keeps, of each, the colour that stands for it
  * as long as materials have no effect, the sum of its reflectances.

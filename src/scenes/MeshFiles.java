@@ -10,6 +10,9 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
 
+import arguments.Messages;
+import diagnostics.Problem;
+import meshes.ObjReader;
 import models.Object3D;
 import models.TriangularMesh;
 
@@ -43,7 +46,7 @@ final class MeshFiles {
     public Object3D placed(final Placement placement, final Color color) {
       if (!read) {
         read = true;
-        final ObjReader.Reading reading = new ObjReader(file).read();
+        final ObjReader.Result reading = new ObjReader(file).read();
         for (final Problem problem : reading.problems()) {
           problems.add(offset, problem);
         }
@@ -130,7 +133,7 @@ final class MeshFiles {
     final StringBuilder tried = new StringBuilder();
     for (final Path place : places) {
       tried.append(tried.length() == 0 ? "" : ", ").append(place);
-      tried.append(Files.isDirectory(place) ? " " + Messages.text("isFolder") : "");
+      tried.append(Files.isDirectory(place) ? " " + Messages.text("scenes.isFolder") : "");
     }
     return tried.toString();
   }

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
+import arguments.Messages;
+
 /** Reads the models of a scene file: their numbers, not their names. */
 final class ModelReader {
 
@@ -52,14 +54,14 @@ final class ModelReader {
   /** The shape of a type; what it holds counts only if no problem was told meanwhile. Null if it is not supported. */
   private Model shape(final Element model, final String type) {
     return switch (type) {
-      case "sphere" -> new Shapes.Ball(length(model, "radius"));
-      case "box" -> new Shapes.Block(length(model, "width"), length(model, "height"), length(model, "depth"));
-      case "plane" -> new Shapes.Flat(values.triple(model, "point", Range.ANY), normal(model));
-      case "cylinder" -> new Shapes.Roll(length(model, "radius"), length(model, "Axislength"));
-      case "capsule" -> new Shapes.Pill(values.triple(model, "A", Range.ANY), values.triple(model, "B", Range.ANY),
+      case "sphere" -> new Shapes.SphereModel(length(model, "radius"));
+      case "box" -> new Shapes.BoxModel(length(model, "width"), length(model, "height"), length(model, "depth"));
+      case "plane" -> new Shapes.PlaneModel(values.triple(model, "point", Range.ANY), normal(model));
+      case "cylinder" -> new Shapes.CylinderModel(length(model, "radius"), length(model, "Axislength"));
+      case "capsule" -> new Shapes.CapsuleModel(values.triple(model, "A", Range.ANY), values.triple(model, "B", Range.ANY),
           length(model, "radius"));
-      case "torus" -> new Shapes.Ring(length(model, "rotationalRadius"), length(model, Values.AS_SPELT));
-      case "ellipsoid" -> new Shapes.Oval(length(model, "a"), length(model, "b"), length(model, "c"));
+      case "torus" -> new Shapes.TorusModel(length(model, "rotationalRadius"), length(model, Values.AS_SPELT));
+      case "ellipsoid" -> new Shapes.EllipsoidModel(length(model, "a"), length(model, "b"), length(model, "c"));
       case "mesh" -> mesh(model);
       default -> null;
     };

@@ -4,6 +4,7 @@ import java.awt.Color;
 import java.util.Map;
 import java.util.Set;
 
+import arguments.Messages;
 import models.Group3D;
 import models.Object3D;
 

@@ -22,13 +22,13 @@ final class Placement {
   private static final float[] ZERO = {0, 0, 0};
 
   /** The model as it is. */
-  static final Placement NONE = new Placement(ONE, Turn.NONE, ZERO);
+  static final Placement NONE = new Placement(ONE, Rotation.NONE, ZERO);
 
   private final float[] scale;
-  private final Turn turn;
+  private final Rotation turn;
   private final float[] shift;
 
-  Placement(final float[] scale, final Turn turn, final float[] shift) {
+  Placement(final float[] scale, final Rotation turn, final float[] shift) {
     this.scale = scale;
     this.turn = turn;
     this.shift = shift;
@@ -67,7 +67,7 @@ final class Placement {
   Object3D applied(final Object3D object) {
     final Vector3f s = new Vector3f(scale);
     final Vector3f d = new Vector3f(shift);
-    if (turn != Turn.NONE) {
+    if (turn != Rotation.NONE) {
       return new AffineTransformation(s, turn.axis(), turn.degrees(), d, object);
     }
     return isRigid() && Arrays.equals(shift, ZERO) ? object : new AffineTransformation(s, d, object);

@@ -2,6 +2,8 @@ package scenes;
 
 import javax.vecmath.Vector3d;
 
+import arguments.Messages;
+
 /** Reads where an object of a scene stands: scale, aiming, rotation, translation, in this order of effect. */
 final class PlacementReader {
 
@@ -25,8 +27,8 @@ final class PlacementReader {
     final int before = values.problems().errors();
     final float[] scale = triple(object, "scaleFactors", Placement.unscaled());
     final float[] shift = triple(object, "translation", Placement.unmoved());
-    final Turn rotation = rotation(object);
-    final Turn aiming = aiming(object);
+    final Rotation rotation = rotation(object);
+    final Rotation aiming = aiming(object);
     if (scale != null && (scale[0] == 0 || scale[1] == 0 || scale[2] == 0)) {
       final Element value = object.find("scaleFactors");
       values.problems().error(value.valueOffset(), "scaleZero", Messages.quote(value.text()));
@@ -39,21 +41,21 @@ final class PlacementReader {
     return value == null ? absent : values.triple(value, Range.ANY);
   }
 
-  private Turn rotation(final Element object) {
+  private Rotation rotation(final Element object) {
     final float degrees = values.number(object, "rotationAngle", Range.ANY, 0);
     final float[] axis = triple(object, "rotationAxis", new float[] {0, 1, 0});
     if (axis == null || Float.isNaN(degrees) || degrees == 0) {
-      return Turn.NONE;
+      return Rotation.NONE;
     }
     if (axis[0] == 0 && axis[1] == 0 && axis[2] == 0) {
       nullVector(object.find("rotationAxis"));
-      return Turn.NONE;
+      return Rotation.NONE;
     }
-    return Turn.about(axis, degrees);
+    return Rotation.about(axis, degrees);
   }
 
   /** The turn of the first main vector given and of the first auxiliary vector that goes with it. */
-  private Turn aiming(final Element object) {
+  private Rotation aiming(final Element object) {
     for (int main = 0; main < 3; main++) {
       final Element value = values.optional(object, MAIN[main]);
       if (value != null) {
@@ -64,13 +66,13 @@ final class PlacementReader {
         final Element auxiliaryValue = values.optional(object, AUXILIARY[auxiliary]);
         if (auxiliaryValue == null) {
           values.problems().error(value.offset(), "auxiliaryMissing", MAIN[main], AUXILIARY[first], AUXILIARY[second]);
-          return Turn.NONE;
+          return Rotation.NONE;
         }
         return aimed(main, value, auxiliary, auxiliaryValue);
       }
     }
     strayAuxiliary(object);
-    return Turn.NONE;
+    return Rotation.NONE;
   }
 
   private void strayAuxiliary(final Element object) {
@@ -86,11 +88,11 @@ final class PlacementReader {
    * The turn that takes the main axis along its vector, and the auxiliary axis as near to its own as it can be: of the
    * three axes, the one that is neither is perpendicular to both vectors, and the auxiliary one follows from the others.
    */
-  private Turn aimed(final int main, final Element mainValue, final int auxiliary, final Element auxiliaryValue) {
+  private Rotation aimed(final int main, final Element mainValue, final int auxiliary, final Element auxiliaryValue) {
     final Vector3d m = direction(mainValue);
     final Vector3d aux = direction(auxiliaryValue);
     if (m == null || aux == null) {
-      return Turn.NONE;
+      return Rotation.NONE;
     }
     final boolean inOrder = (main + 1) % 3 == auxiliary;
     final Vector3d[] frame = new Vector3d[3];
@@ -99,7 +101,7 @@ final class PlacementReader {
     if (!(third.length() > PARALLEL)) {
       values.problems().error(auxiliaryValue.valueOffset(), "parallel", auxiliaryValue.name(),
           Messages.quote(auxiliaryValue.text()), mainValue.name(), Messages.quote(mainValue.text()));
-      return Turn.NONE;
+      return Rotation.NONE;
     }
     third.normalize();
     final Vector3d second = new Vector3d();
@@ -107,7 +109,7 @@ final class PlacementReader {
     frame[main] = m;
     frame[auxiliary] = second;
     frame[3 - main - auxiliary] = third;
-    return Turn.to(frame[0], frame[1], frame[2]);
+    return Rotation.to(frame[0], frame[1], frame[2]);
   }
 
   private Vector3d direction(final Element value) {

@@ -6,6 +6,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
 
+import arguments.Messages;
+import diagnostics.Problem;
+import diagnostics.Suggestion;
+
 /** The problems of one scene file and of its meshes, collected in any order and answered in that of the file. */
 final class Problems {
 
@@ -41,7 +45,7 @@ final class Problems {
     if (isFull()) {
       count(offset, severity == Problem.Severity.ERROR);
     } else {
-      add(offset, at(offset, severity, Messages.text(key, parts)));
+      add(offset, at(offset, severity, Messages.text("scenes." + key, parts)));
     }
   }
 
@@ -72,7 +76,7 @@ final class Problems {
 
   /** The question whether one of the known names was meant, as long as problems are told. */
   String didYouMean(final String name, final Collection<String> known) {
-    return isFull() ? "" : NearMiss.question(name, known);
+    return isFull() ? "" : Suggestion.question(name, known);
   }
 
   boolean hasErrors() {
@@ -89,7 +93,7 @@ final class Problems {
         .collect(Collectors.toList());
     if (untold > 0) {
       problems.add(at(firstUntold, hasErrors() ? Problem.Severity.ERROR : Problem.Severity.WARNING,
-          Messages.text("untold", untold)));
+          Messages.text("scenes.untold", untold)));
     }
     return problems;
   }

@@ -11,6 +11,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
+import arguments.Messages;
+import diagnostics.Problem;
+
 /**
  * Reads scene files. All that is wrong with a file and with its meshes is found in one run, values that describe nothing
  * included, so that what is read can be rendered.
@@ -41,7 +44,7 @@ public final class SceneReader {
    * @return the scene, if it can be rendered, and all problems
    * @throws IllegalArgumentException if the file is null
    */
-  public static Reading read(final Path file) {
+  public static ReadResult read(final Path file) {
     notNull("file", file);
     try {
       final byte[] bytes = bytes(file);
@@ -53,7 +56,7 @@ public final class SceneReader {
       if (decoding.warning() != null) {
         reader.problems.warning(0, decoding.warning(), Messages.quote(decoding.encoding()));
       }
-      return new Reading(Optional.ofNullable(reader.markup()), reader.problems.inFileOrder());
+      return new ReadResult(Optional.ofNullable(reader.markup()), reader.problems.inFileOrder());
     } catch (final NoSuchFileException missing) {
       return unreadable(file, "fileMissing");
     } catch (final AccessDeniedException denied) {
@@ -71,14 +74,14 @@ public final class SceneReader {
     }
   }
 
-  private static Reading unreadable(final Path file, final String key, final Object... parts) {
+  private static ReadResult unreadable(final Path file, final String key, final Object... parts) {
     final Problem.Severity severity = Problem.Severity.ERROR;
-    final Problem problem = new Problem(file.toString(), 0, 0, severity, Messages.text(key, parts));
-    return new Reading(Optional.empty(), List.of(problem));
+    final Problem problem = new Problem(file.toString(), 0, 0, severity, Messages.text("scenes." + key, parts));
+    return new ReadResult(Optional.empty(), List.of(problem));
   }
 
   /** Reads the markup, and of it the scene; null if an error was told. */
-  private Scene markup() {
+  private SceneFile markup() {
     final MarkupReader markup = new MarkupReader(problems);
     try {
       final Element root = markup.read();
@@ -88,10 +91,10 @@ public final class SceneReader {
             problems.didYouMean(root.name(), List.of("image")));
         return null;
       }
-      final Vocabulary vocabulary = new Vocabulary(problems);
+      final SceneGrammar vocabulary = new SceneGrammar(problems);
       vocabulary.check(root);
-      return new SceneContent(file, image, vocabulary, new Values(problems, markup.comments())).scene();
-    } catch (final Malformed malformed) {
+      return new SceneBuilder(file, image, vocabulary, new Values(problems, markup.comments())).scene();
+    } catch (final XmlSyntaxException malformed) {
       problems.add(malformed.offset(), new Problem(file.toString(), problems.source().line(malformed.offset()),
           problems.source().column(malformed.offset()), Problem.Severity.ERROR, malformed.getMessage()));
       return null;

@@ -18,7 +18,7 @@ final class Shapes {
   }
 
   /** Sphere about the origin. */
-  record Ball(float radius) implements Model {
+  record SphereModel(float radius) implements Model {
     @Override
     public Object3D at(final Placement placement, final Color color) {
       return new Sphere(placement.point(0, 0, 0), radius, color);
@@ -26,7 +26,7 @@ final class Shapes {
   }
 
   /** Box about the origin: width along X, height along Y, depth along Z. */
-  record Block(float width, float height, float depth) implements Model {
+  record BoxModel(float width, float height, float depth) implements Model {
     @Override
     public Object3D at(final Placement placement, final Color color) {
       return new Box(placement.point(0, 0, 0), placement.direction(1, 0, 0), placement.direction(0, 1, 0),
@@ -35,7 +35,7 @@ final class Shapes {
   }
 
   /** Plane through a point, perpendicular to a normal. */
-  record Flat(float[] point, float[] normal) implements Model {
+  record PlaneModel(float[] point, float[] normal) implements Model {
     @Override
     public Object3D at(final Placement placement, final Color color) {
       return new Plane(placement.point(point[0], point[1], point[2]),
@@ -44,7 +44,7 @@ final class Shapes {
   }
 
   /** Closed cylinder about the origin, its axis along Y. */
-  record Roll(float radius, float length) implements Model {
+  record CylinderModel(float radius, float length) implements Model {
     @Override
     public Object3D at(final Placement placement, final Color color) {
       return new Cylinder(placement.point(0, 0, 0), placement.direction(0, 1, 0), radius, length, color);
@@ -52,7 +52,7 @@ final class Shapes {
   }
 
   /** All points within a radius of the segment from A to B: a sphere if they are one point. */
-  record Pill(float[] a, float[] b, float radius) implements Model {
+  record CapsuleModel(float[] a, float[] b, float radius) implements Model {
     @Override
     public Object3D at(final Placement placement, final Color color) {
       final double x = (double) b[0] - a[0], y = (double) b[1] - a[1], z = (double) b[2] - a[2];
@@ -67,7 +67,7 @@ final class Shapes {
   }
 
   /** Torus about the origin, its axis along Y. */
-  record Ring(float rotationalRadius, float tubeRadius) implements Model {
+  record TorusModel(float rotationalRadius, float tubeRadius) implements Model {
     @Override
     public Object3D at(final Placement placement, final Color color) {
       return new Torus(placement.point(0, 0, 0), placement.direction(0, 1, 0), rotationalRadius, tubeRadius, color);
@@ -75,7 +75,7 @@ final class Shapes {
   }
 
   /** Ellipsoid about the origin: half-axes a on X, b on Y, c on Z. */
-  record Oval(float a, float b, float c) implements Model {
+  record EllipsoidModel(float a, float b, float c) implements Model {
     @Override
     public Object3D at(final Placement placement, final Color color) {
       return new Ellipsoid(placement.point(0, 0, 0), placement.direction(1, 0, 0), placement.direction(0, 1, 0),

@@ -3,6 +3,8 @@ package scenes;
 import java.util.ArrayList;
 import java.util.List;
 
+import arguments.Messages;
+
 /**
  * The values of the elements of a scene file. Each method looks for a value at any depth below an element, tells
  * what is wrong with it, and answers it, or something that stands for none: NaN, {@link #NONE}, null.
@@ -67,7 +69,7 @@ final class Values {
   private void missing(final Element element, final String name, final Expected expected) {
     final int line = commentedOut(element, name);
     problems.error(element.offset(), "missing", element.name(), name, expected.text(name),
-        line == 0 ? "" : " " + Messages.text("commentedOut", name, line));
+        line == 0 ? "" : " " + Messages.text("scenes.commentedOut", name, line));
   }
 
   /** Line of an element that stands in a comment within another; 0 if there is none. */

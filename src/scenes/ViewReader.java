@@ -2,9 +2,11 @@ package scenes;
 
 import java.util.List;
 
+import arguments.Messages;
 import primitives.Point3D;
 import primitives.Vector3D;
 import view.Camera;
+import view.FishEye;
 import view.Orthographic;
 import view.Perspective;
 import view.Projection;

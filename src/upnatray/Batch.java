@@ -4,9 +4,10 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.List;
 
-import scenes.Problem;
-import scenes.Reading;
-import scenes.Scene;
+import arguments.Messages;
+import diagnostics.Problem;
+import scenes.ReadResult;
+import scenes.SceneFile;
 import scenes.SceneReader;
 
 /** The scenes of a command line, one after the other; what is wrong with one does not stop the others. */
@@ -18,7 +19,7 @@ final class Batch {
   private final Options options;
   private final PrintStream out;
   private final PrintStream err;
-  private final Interruption interruption = new Interruption();
+  private final InterruptHandler interruption = new InterruptHandler();
 
   Batch(final Options options, final PrintStream out, final PrintStream err) {
     this.options = options;
@@ -45,7 +46,7 @@ final class Batch {
       if (target != null) {
         PngFile.check(target);
       }
-      final Reading reading = SceneReader.read(file);
+      final ReadResult reading = SceneReader.read(file);
       reading.problems().forEach(err::println);
       if (target == null) {
         return isSound(file, reading);
@@ -54,16 +55,16 @@ final class Batch {
         render(file, reading.scene().get(), target);
         return true;
       }
-    } catch (final FailedException failure) {
+    } catch (final SaveException failure) {
       err.println(failure.getMessage());
     } catch (final OutOfMemoryError full) {
-      err.println(Messages.text("memory", file, Runtime.getRuntime().maxMemory() >> 20));
+      err.println(Messages.text("upnatray.memory", file, Runtime.getRuntime().maxMemory() >> 20));
     }
     return false;
   }
 
   /** Counts what is wrong with a scene; a picture that no array can hold is wrong as well. */
-  private boolean isSound(final Path file, final Reading reading) {
+  private boolean isSound(final Path file, final ReadResult reading) {
     long errors = reading.problems().stream().filter(Problem::isError).count();
     final long warnings = reading.problems().size() - errors;
     if (reading.scene().isPresent()) {
@@ -71,15 +72,15 @@ final class Batch {
       try {
         Image.height(size[0], size[1]);
       } catch (final IllegalArgumentException tooLarge) {
-        err.println(Messages.text("imageTooLarge", file, tooLarge.getMessage()));
+        err.println(Messages.text("upnatray.imageTooLarge", file, tooLarge.getMessage()));
         errors++;
       }
     }
-    out.println(Messages.text("checked", file, errors, warnings));
+    out.println(Messages.text("upnatray.checked", file, errors, warnings));
     return errors == 0;
   }
 
-  private void render(final Path file, final Scene scene, final Path target) throws FailedException {
+  private void render(final Path file, final SceneFile scene, final Path target) throws SaveException {
     final int[] size = options.size(scene.width(), scene.height());
     final RenderJob job = job(file, scene, size[0], size[1]);
     final Rendition rendition = new Rendition(job, file, target, interruption);
@@ -87,24 +88,25 @@ final class Batch {
       interruption.save(rendition.image(), target);
       out.println(file + " -> " + target);
       job.scale().ifPresent(scale -> out.println(scale.isDepth()
-          ? Messages.text("depthScale", (float) scale.least(), (float) scale.greatest())
-          : Messages.text("costScale", (long) scale.greatest())));
+          ? Messages.text("upnatray.depthScale", (float) scale.least(), (float) scale.greatest())
+          : Messages.text("upnatray.costScale", (long) scale.greatest())));
     }
   }
 
   /** The job of rendering a scene; told in bytes if its image cannot be held. */
-  private RenderJob job(final Path file, final Scene scene, final int W, final int H) throws FailedException {
+  private RenderJob job(final Path file, final SceneFile scene, final int W, final int H) throws SaveException {
     final long pixels = (long) W * H;
     final long megabytes = (pixels * Integer.BYTES >> 20) + 1;
     try {
       return new RenderJob(scene, options.view(), W, H, options.threads() > 0 ? options.threads()
           : Runtime.getRuntime().availableProcessors());
     } catch (final IllegalArgumentException tooLarge) {
-      throw new FailedException("imageTooLarge", file, tooLarge.getMessage(), tooLarge);
+      throw new SaveException("imageTooLarge", file, tooLarge.getMessage(), tooLarge);
     } catch (final OutOfMemoryError full) {
       final long megabytesNow = Runtime.getRuntime().maxMemory() >> 20;
-      final String reason = Messages.text("imageMemory", W, H, megabytes, megabytesNow, megabytes + megabytes / 4 + 256);
-      throw new FailedException("imageTooLarge", file, reason, full);
+      final String reason = Messages.text("upnatray.imageMemory", W, H, megabytes, megabytesNow, megabytes + megabytes / 4
+          + 256);
+      throw new SaveException("imageTooLarge", file, reason, full);
     }
   }
 }

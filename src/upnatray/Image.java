@@ -11,6 +11,8 @@ import java.util.Arrays;
 import java.util.concurrent.ThreadFactory;
 
 import models.Group3D;
+import rendering.RenderSettings;
+import rendering.TileRenderer;
 import view.Camera;
 
 /**
@@ -55,7 +57,7 @@ public class Image extends BufferedImage {
    * @throws IllegalStateException if the camera has no projection
    */
   public void synthesis(final Group3D scene, final Camera camera) {
-    synthesis(scene, camera, Rendering.STANDARD);
+    synthesis(scene, camera, RenderSettings.STANDARD);
   }
 
   /**
@@ -68,15 +70,15 @@ public class Image extends BufferedImage {
    * @throws IllegalArgumentException if an argument is null
    * @throws IllegalStateException if the camera has no projection
    */
-  public boolean synthesis(final Group3D scene, final Camera camera, final Rendering rendering) {
+  public boolean synthesis(final Group3D scene, final Camera camera, final RenderSettings rendering) {
     return synthesis(scene, camera, rendering, Thread::new);
   }
 
   /** The same by threads of somebody's making, who may want to know what time they take. */
-  boolean synthesis(final Group3D scene, final Camera camera, final Rendering rendering, final ThreadFactory threads) {
+  boolean synthesis(final Group3D scene, final Camera camera, final RenderSettings rendering, final ThreadFactory threads) {
     notNull("scene", scene);
     notNull("rendering", rendering);
-    return new Synthesis(scene, notNull("camera", camera).getRayGenerator(getWidth(), getHeight()), rendering,
+    return new TileRenderer(scene, notNull("camera", camera).getRayGenerator(getWidth(), getHeight()), rendering,
         pixels(), background).run(threads);
   }
 

@@ -3,9 +3,10 @@ package upnatray;
 import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+
+import arguments.Messages;
 
 /**
  * The command line: renders scene files to PNG files. {@code --help} tells the rest.
@@ -36,13 +37,10 @@ public final class Main {
 
   /** Does what a command line asks for and answers the exit status. */
   static int run(final String... args) {
-    if (args.length > 0 && args[0].equals("--bench")) {
-      return Bench.run(Arrays.copyOfRange(args, 1, args.length));
-    }
     try {
       final Options options = Options.of(args);
       if (options.help()) {
-        System.out.println(Messages.text("usage"));
+        System.out.println(Messages.text("upnatray.usage"));
         return 0;
       }
       if (options.version()) {
@@ -69,7 +67,7 @@ public final class Main {
 
   private static String version() {
     final String version = Main.class.getPackage().getImplementationVersion();
-    return version == null ? Messages.text("noVersion") : version;
+    return version == null ? Messages.text("upnatray.noVersion") : version;
   }
 
   /** The default scene under the working directory, or else under the folder in which the program was built. */

@@ -11,6 +11,8 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.StringJoiner;
 
+import rendering.RenderPass;
+
 /**
  * What a command line asks for. (A library for command lines was tried: it costs more time to load than a small picture
  * takes to render.)
@@ -22,7 +24,7 @@ final class Options {
   private int width;
   private int height;
   private int threads;
-  private View view = View.COLOUR;
+  private RenderPass view = RenderPass.COLOUR;
   private boolean window;
   private boolean noWindow;
   private boolean check;
@@ -94,12 +96,12 @@ final class Options {
     return true;
   }
 
-  private static View view(final String name) throws UsageException {
+  private static RenderPass view(final String name) throws UsageException {
     final StringJoiner names = new StringJoiner(", ");
-    for (final View view : View.values()) {
+    for (final RenderPass view : RenderPass.values()) {
       names.add(view.option());
     }
-    return View.named(name).orElseThrow(() -> new UsageException("unknownView", name, names));
+    return RenderPass.named(name).orElseThrow(() -> new UsageException("unknownView", name, names));
   }
 
   private static String value(final String name, final String value) throws UsageException {
@@ -193,7 +195,7 @@ final class Options {
     return threads;
   }
 
-  View view() {
+  RenderPass view() {
     return view;
   }
 

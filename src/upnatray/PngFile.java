@@ -15,6 +15,8 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 
+import arguments.Messages;
+
 /**
  * Saves images as PNG files that appear whole or not at all: an image is written to a hidden temporary file beside its
  * target, which is then moved into place in one step. Whatever happens before leaves the old file, or none.
@@ -29,10 +31,10 @@ public final class PngFile {
    *
    * @param image image of any type, such as an {@link Image}
    * @param target where to; a file that is there is replaced
-   * @throws FailedException if it cannot be saved; its message says why
+   * @throws SaveException if it cannot be saved; its message says why
    * @throws IllegalArgumentException if an argument is null
    */
-  public static void save(final BufferedImage image, final Path target) throws FailedException {
+  public static void save(final BufferedImage image, final Path target) throws SaveException {
     notNull("image", image);
     check(notNull("target", target));
     final Path folder = folder(target);
@@ -43,7 +45,7 @@ public final class PngFile {
       Files.move(temporary, target, StandardCopyOption.ATOMIC_MOVE);
     } catch (final IOException failure) {
       remove(temporary, failure);
-      throw new FailedException("notSaved", target, reason(failure), failure);
+      throw new SaveException("notSaved", target, reason(failure), failure);
     }
   }
 
@@ -75,21 +77,21 @@ public final class PngFile {
   /**
    * Tells beforehand what would keep an image from being saved, as far as can be seen.
    *
-   * @throws FailedException if the target is a folder or the like, or if its folder is none or must not be written to
+   * @throws SaveException if the target is a folder or the like, or if its folder is none or must not be written to
    */
-  static void check(final Path target) throws FailedException {
+  static void check(final Path target) throws SaveException {
     if (Files.isDirectory(target)) {
-      throw new FailedException("notSaved", target, Messages.text("isFolder"), null);
+      throw new SaveException("notSaved", target, Messages.text("upnatray.isFolder"), null);
     }
     if (Files.exists(target) && !Files.isRegularFile(target)) {
-      throw new FailedException("notSaved", target, Messages.text("isNoFile"), null);
+      throw new SaveException("notSaved", target, Messages.text("upnatray.isNoFile"), null);
     }
     final Path folder = folder(target);
     if (Files.exists(folder) && !Files.isDirectory(folder)) {
-      throw new FailedException("notSaved", target, Messages.text("noFolder", folder), null);
+      throw new SaveException("notSaved", target, Messages.text("upnatray.noFolder", folder), null);
     }
     if (Files.exists(folder) && !Files.isWritable(folder)) {
-      throw new FailedException("notSaved", target, Messages.text("denied", folder), null);
+      throw new SaveException("notSaved", target, Messages.text("upnatray.denied", folder), null);
     }
   }
 
@@ -100,13 +102,13 @@ public final class PngFile {
 
   private static String reason(final IOException failure) {
     if (failure instanceof AccessDeniedException denied) {
-      return Messages.text("denied", denied.getFile());
+      return Messages.text("upnatray.denied", denied.getFile());
     }
     if (failure instanceof FileAlreadyExistsException exists) {
-      return Messages.text("noFolder", exists.getFile());
+      return Messages.text("upnatray.noFolder", exists.getFile());
     }
     if (failure instanceof NoSuchFileException missing) {
-      return Messages.text("missing", missing.getFile());
+      return Messages.text("upnatray.missing", missing.getFile());
     }
     if (failure instanceof FileSystemException other && other.getReason() != null) {
       return other.getReason();

@@ -11,7 +11,12 @@ import java.util.concurrent.atomic.AtomicLong;
 
 import models.Group3D;
 import models.Object3D;
-import scenes.Scene;
+import rendering.ColourScale;
+import rendering.Progress;
+import rendering.RenderPass;
+import rendering.RenderSettings;
+import rendering.Shading;
+import scenes.SceneFile;
 
 /**
  * The rendering of one picture of a scene, which can be watched and cancelled from any thread. It is run once, by the thread
@@ -21,8 +26,8 @@ public final class RenderJob {
 
   private static final Color NOTHING = new Color(0, 0, 0, 0);
 
-  private final Scene scene;
-  private final View view;
+  private final SceneFile scene;
+  private final RenderPass view;
   private final int threads;
   private final Image image;
   /** For a view of numbers: their bits as floats, 0 where there is none. */
@@ -44,16 +49,16 @@ public final class RenderJob {
    * @param threads number of threads, at least 1
    * @throws IllegalArgumentException if an argument is null or less than 1, or if the picture is too large
    */
-  public RenderJob(final Scene scene, final View view, final int W, final int H, final int threads) {
+  public RenderJob(final SceneFile scene, final RenderPass view, final int W, final int H, final int threads) {
     this.scene = notNull("scene", scene);
     this.view = notNull("view", view);
     this.threads = positive("threads", threads);
-    this.image = new Image(W, H, view == View.COLOUR ? scene.background() : NOTHING);
+    this.image = new Image(W, H, view == RenderPass.COLOUR ? scene.background() : NOTHING);
     this.numbers = hasScale() ? new Image(W, H, NOTHING) : null;
   }
 
   private boolean hasScale() {
-    return view == View.DEPTH || view == View.COST;
+    return view == RenderPass.DEPTH || view == RenderPass.COST;
   }
 
   /**
@@ -74,7 +79,7 @@ public final class RenderJob {
       return watcher.tileDone(x, y, width, height) && !cancelled;
     };
     try {
-      final Rendering rendering = new Rendering(threads, shading(), progress);
+      final RenderSettings rendering = new RenderSettings(threads, shading(), progress);
       final boolean completed = (numbers == null ? image : numbers).synthesis(objects(), scene.camera(), rendering);
       scale().ifPresent(this::recolour);
       return completed;
@@ -100,7 +105,7 @@ public final class RenderJob {
    * @return its shading
    * @throws IllegalArgumentException if the scene is null
    */
-  public static Shading shading(final Scene scene) {
+  public static Shading shading(final SceneFile scene) {
     return notNull("scene", scene).facing() ? Shading.FACING : Shading.PLAIN;
   }
 
@@ -110,11 +115,11 @@ public final class RenderJob {
 
   /** What is rendered: the objects of the scene, or what stands for them. */
   private Group3D objects() {
-    if (view != View.OBJECT && view != View.COST) {
+    if (view != RenderPass.OBJECT && view != RenderPass.COST) {
       return scene.objects();
     }
     final Group3D others = new Group3D();
-    if (view == View.COST) {
+    if (view == RenderPass.COST) {
       others.addObject(new CostField(scene.objects()));
     } else {
       final List<Object3D> all = new ArrayList<>();
@@ -165,12 +170,12 @@ public final class RenderJob {
         greatest = Math.max(greatest, number(bit));
       }
     }
-    return view == View.COST ? ColourScale.ofCost(greatest) : ColourScale.ofDepth(least, greatest);
+    return view == RenderPass.COST ? ColourScale.ofCost(greatest) : ColourScale.ofDepth(least, greatest);
   }
 
   private double number(final int bits) {
     final float number = Float.intBitsToFloat(bits);
-    return view == View.COST ? number - 1 : number;
+    return view == RenderPass.COST ? number - 1 : number;
   }
 
   /** Ends the rendering after the tiles that are being computed. May be called at any time, before the run too. */
@@ -192,7 +197,7 @@ public final class RenderJob {
    *
    * @return the view
    */
-  public View view() {
+  public RenderPass view() {
     return view;
   }
 
@@ -201,7 +206,7 @@ public final class RenderJob {
    *
    * @return the scene
    */
-  public Scene scene() {
+  public SceneFile scene() {
     return scene;
   }
 
@@ -214,7 +219,7 @@ public final class RenderJob {
     if (!hasScale() || least > greatest) {
       return Optional.empty();
     }
-    return Optional.of(view == View.COST ? ColourScale.ofCost(greatest) : ColourScale.ofDepth(least, greatest));
+    return Optional.of(view == RenderPass.COST ? ColourScale.ofCost(greatest) : ColourScale.ofDepth(least, greatest));
   }
 
   /**

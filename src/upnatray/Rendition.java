@@ -4,19 +4,21 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Arrays;
 
+import rendering.Progress;
+
 /** The rendering of one scene: knows which parts of its image are done, shows that on a terminal, and can be stopped. */
 final class Rendition implements Progress {
 
   private final RenderJob job;
   private final Image image;
   private final Path target;
-  private final Interruption interruption;
+  private final InterruptHandler interruption;
   private final ProgressLine line;
   /** Column, row, width and height of each part that is done. */
   private int[] done = new int[4096];
   private int end;
 
-  Rendition(final RenderJob job, final Path scene, final Path target, final Interruption interruption) {
+  Rendition(final RenderJob job, final Path scene, final Path target, final InterruptHandler interruption) {
     this.job = job;
     this.image = job.image();
     this.target = target;

@@ -4,6 +4,8 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.ServiceLoader;
 
+import rendering.RenderPass;
+
 /**
  * Something that shows pictures of scenes. It is found as a service, so that the command line knows no window, and loads
  * none where none is wanted.
@@ -19,7 +21,7 @@ public interface Viewer {
    * @param height height in pixels; 0 as for the width
    * @param threads number of threads; 0 for one for each core
    */
-  record Request(Path scene, View view, int width, int height, int threads) {
+  record Request(Path scene, RenderPass view, int width, int height, int threads) {
   }
 
   /**

@@ -6,6 +6,8 @@ import java.awt.event.ActionEvent;
 import javax.swing.AbstractAction;
 import javax.swing.KeyStroke;
 
+import arguments.Messages;
+
 /** Something the user can do, with its name and its explanation from the bundle, and a key. */
 final class Command extends AbstractAction {
 
@@ -14,9 +16,9 @@ final class Command extends AbstractAction {
   private final transient Runnable job;
 
   private Command(final String key, final KeyStroke stroke, final Runnable job) {
-    super(Messages.text(key + ".text"));
+    super(Messages.text("window." + key + ".text"));
     this.job = job;
-    final String tip = Messages.text(key + ".tip");
+    final String tip = Messages.text("window." + key + ".tip");
     putValue(ACTION_COMMAND_KEY, key);
     putValue(SHORT_DESCRIPTION, tip);
     putValue(ACCELERATOR_KEY, stroke);

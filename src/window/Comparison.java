@@ -18,6 +18,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 
+import arguments.Messages;
 import inspection.Difference;
 
 /** Compares the picture of a window with a reference, and with it each picture that is rendered while this is open. */
@@ -35,7 +36,7 @@ final class Comparison {
   Comparison(final RenderWindow window, final BufferedImage reference, final Path file) {
     this.view = window.view();
     this.reference = reference;
-    this.dialog = new JDialog(window.frame(), Messages.text("compare.title", file.getFileName()));
+    this.dialog = new JDialog(window.frame(), Messages.text("window.compare.title", file.getFileName()));
     dialog.setName("comparison");
     figures.setName("figures");
     layOut(Command.of("compare.end", "ESCAPE", this::end));
@@ -76,8 +77,9 @@ final class Comparison {
     worst.setEnabled(found.isPresent() && difference.differing() > 0);
     mask.setEnabled(found.isPresent());
     figures.setText(found.isEmpty()
-        ? Messages.text("compare.size", reference.getWidth(), reference.getHeight(), picture.getWidth(), picture.getHeight())
-        : Messages.text("compare.figures", difference.differing(), difference.largest(),
+        ? Messages.text("window.compare.size", reference.getWidth(), reference.getHeight(), picture.getWidth(),
+            picture.getHeight())
+        : Messages.text("window.compare.figures", difference.differing(), difference.largest(),
             String.format(Locale.ROOT, "%.4f", difference.mean())));
     dialog.pack();
   }

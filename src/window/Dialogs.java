@@ -16,19 +16,20 @@ import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
+import arguments.Messages;
 import inspection.Inspection;
-import inspection.Meeting;
-import inspection.Outline;
+import inspection.Intersection;
+import inspection.Wireframe;
 import tracer.Hit;
-import upnatray.FailedException;
 import upnatray.PngFile;
 import upnatray.RenderJob;
+import upnatray.SaveException;
 
 /** What opens beside the window: choosers of files, the comparison with a reference, the scene from outside. */
 final class Dialogs {
 
   private final RenderWindow window;
-  private final OutsideView outside = new OutsideView();
+  private final WireframeView outside = new WireframeView();
   private JDialog outsideDialog;
   private Comparison comparison;
 
@@ -55,7 +56,8 @@ final class Dialogs {
   /** Saves a picture in a file that was chosen; one that is there already is replaced only if that is meant. */
   void saveAs(final BufferedImage picture, final Path file) {
     final Path target = PictureFile.withEnding(file);
-    if (!Files.isRegularFile(target) || JOptionPane.showConfirmDialog(window.frame(), Messages.text("save.replace", target),
+    if (!Files.isRegularFile(target) || JOptionPane.showConfirmDialog(window.frame(), Messages.text("window.save.replace",
+        target),
         "UPNaTRay", JOptionPane.YES_NO_OPTION, JOptionPane.WARNING_MESSAGE) == JOptionPane.YES_OPTION) {
       save(picture, target);
     }
@@ -65,8 +67,8 @@ final class Dialogs {
     try {
       PngFile.save(picture, target);
       window.settings().setFolder(target.toAbsolutePath().getParent());
-      window.status().showText(Messages.text("status.saved", target));
-    } catch (final FailedException failure) {
+      window.status().showText(Messages.text("window.status.saved", target));
+    } catch (final SaveException failure) {
       complain(failure.getMessage());
     }
   }
@@ -77,7 +79,7 @@ final class Dialogs {
 
   private Optional<Path> choose(final String key, final String ending, final boolean toOpen, final String name) {
     final JFileChooser chooser = new JFileChooser(window.settings().folder().toFile());
-    chooser.setDialogTitle(Messages.text(key + ".tip"));
+    chooser.setDialogTitle(Messages.text("window." + key + ".tip"));
     chooser.setFileFilter(new FileNameExtensionFilter("*." + ending, ending));
     if (name != null) {
       chooser.setSelectedFile(window.settings().folder().resolve(name).toFile());
@@ -100,7 +102,7 @@ final class Dialogs {
       comparison = new Comparison(window, reference, file);
     } catch (final IOException failure) {
       final String reason = failure.getMessage() == null ? failure.toString() : failure.getMessage();
-      complain(Messages.text("compare.failed", file, reason));
+      complain(Messages.text("window.compare.failed", file, reason));
     }
   }
 
@@ -119,9 +121,9 @@ final class Dialogs {
 
   /** Opens the scene from outside. */
   void showOutside(final RenderJob job) {
-    outside.setLines(Outline.of(job.scene(), job.image().getWidth(), job.image().getHeight()));
+    outside.setLines(Wireframe.of(job.scene(), job.image().getWidth(), job.image().getHeight()));
     if (outsideDialog == null) {
-      outsideDialog = new JDialog(window.frame(), Messages.text("outside.text"));
+      outsideDialog = new JDialog(window.frame(), Messages.text("window.outside.text"));
       outsideDialog.setName("outsideDialog");
       final JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING));
       buttons.add(new JButton(Command.of("outside.save", "", this::saveOutside))).setName("outside.save");
@@ -129,7 +131,7 @@ final class Dialogs {
       outsideDialog.add(buttons, BorderLayout.SOUTH);
       outsideDialog.pack();
       outsideDialog.setLocationRelativeTo(window.frame());
-      OutsideKeys.bind(outside, outsideDialog::dispose);
+      WireframeKeys.bind(outside, outsideDialog::dispose);
     }
     outsideDialog.setVisible(true);
   }
@@ -141,13 +143,13 @@ final class Dialogs {
   /** Shows the ray of the pinned pixel in the scene from outside, if that is open. */
   void showRay(final RenderJob job, final Inspection inspection) {
     if (outsideDialog != null && outsideDialog.isVisible()) {
-      final Hit hit = inspection.winner().map(Meeting::hit).orElse(Hit.NOHIT);
-      outside.setLines(Outline.of(job.scene(), job.image().getWidth(), job.image().getHeight(), inspection.pixel().ray(),
+      final Hit hit = inspection.winner().map(Intersection::hit).orElse(Hit.NOHIT);
+      outside.setLines(Wireframe.of(job.scene(), job.image().getWidth(), job.image().getHeight(), inspection.pixel().ray(),
           hit));
     }
   }
 
-  OutsideView outside() {
+  WireframeView outside() {
     return outside;
   }
 

@@ -4,6 +4,8 @@ import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
 
+import arguments.Messages;
+
 /** A component that draws itself, known to screen readers as a canvas with a name and a description. */
 abstract class Drawing extends JComponent {
 
@@ -11,7 +13,7 @@ abstract class Drawing extends JComponent {
 
   /** A drawing with a name that tells what it shows. */
   Drawing(final String key) {
-    getAccessibleContext().setAccessibleName(Messages.text(key));
+    getAccessibleContext().setAccessibleName(Messages.text("window." + key));
   }
 
   @Override

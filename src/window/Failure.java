@@ -2,8 +2,8 @@ package window;
 
 import java.util.Optional;
 
-import inspection.Origin;
-import scenes.Problem;
+import inspection.ThrowSite;
+import diagnostics.Problem;
 
 /** What to tell of an exception that a rendering threw: most likely by a shape of the user's own. */
 final class Failure {
@@ -18,7 +18,7 @@ final class Failure {
       first = first.getCause();
     }
     final String message = failure == first || failure.getMessage() == null ? failure.toString() : failure.getMessage();
-    final Optional<StackTraceElement> origin = Origin.of(first);
+    final Optional<StackTraceElement> origin = ThrowSite.of(first);
     return new Problem(origin.map(StackTraceElement::getFileName).orElse(""),
         origin.map(call -> Math.max(0, call.getLineNumber())).orElse(0), 0, Problem.Severity.ERROR, message);
   }

@@ -5,15 +5,16 @@ import java.util.Locale;
 
 import javax.swing.tree.DefaultMutableTreeNode;
 
+import arguments.Messages;
 import inspection.ColourStep;
-import inspection.Finding;
+import inspection.ContractViolation;
 import inspection.Formula;
 import inspection.Inspection;
+import inspection.Intersection;
 import inspection.LocalRay;
-import inspection.Meeting;
 import inspection.Numbers;
 import inspection.PixelRay;
-import models.March;
+import models.SphereTrace;
 import tracer.Hit;
 import tracer.Ray;
 
@@ -24,7 +25,7 @@ final class InspectionTree {
   private static final int MOST_STEPS = 200;
 
   /** A line about a meeting, so that what is selected in the tree can be told. */
-  record MeetingLine(Meeting meeting, String text) {
+  record MeetingLine(Intersection meeting, String text) {
     @Override
     public String toString() {
       return text;
@@ -44,7 +45,7 @@ final class InspectionTree {
   }
 
   private static DefaultMutableTreeNode node(final String key, final Object... parts) {
-    return new DefaultMutableTreeNode(Messages.text(key, parts));
+    return new DefaultMutableTreeNode(Messages.text("window." + key, parts));
   }
 
   private static void add(final DefaultMutableTreeNode parent, final String text) {
@@ -79,24 +80,25 @@ final class InspectionTree {
   }
 
   private static DefaultMutableTreeNode meetings(final Inspection inspection) {
-    final List<Meeting> meetings = inspection.meetings();
+    final List<Intersection> meetings = inspection.meetings();
     final long met = meetings.stream().filter(meeting -> meeting.hit().hits()).count();
     final DefaultMutableTreeNode node = node("inspect.meetings", met, inspection.tests());
     int number = 0;
-    for (final Meeting meeting : meetings) {
+    for (final Intersection meeting : meetings) {
       node.add(meeting(meeting, ++number));
     }
     return node;
   }
 
-  private static DefaultMutableTreeNode meeting(final Meeting meeting, final int number) {
+  private static DefaultMutableTreeNode meeting(final Intersection meeting, final int number) {
     final String name = meeting.name().isEmpty() ? "" : " \u201c" + meeting.name() + "\u201d";
-    final String t = meeting.hit().hits() ? "t = " + Numbers.text(meeting.hit().getT()) : Messages.text("inspect.noHit");
-    final String mark = meeting.winner() ? "  \u2605 " + Messages.text("inspect.winner") : "";
+    final String t = meeting.hit().hits() ? "t = " + Numbers.text(meeting.hit().getT())
+        : Messages.text("window.inspect.noHit");
+    final String mark = meeting.winner() ? "  \u2605 " + Messages.text("window.inspect.winner") : "";
     final DefaultMutableTreeNode node = new DefaultMutableTreeNode(new MeetingLine(meeting, number + ". "
         + meeting.object().getClass().getSimpleName() + name + ": " + t + mark));
-    for (final Finding finding : meeting.findings()) {
-      add(node, "\u26a0 " + Messages.text("finding." + finding, meeting.failure()));
+    for (final ContractViolation finding : meeting.findings()) {
+      add(node, "\u26a0 " + Messages.text("window.finding." + finding, meeting.failure()));
     }
     addHit(node, meeting.hit());
     add(node, meeting.object().toString());
@@ -129,10 +131,11 @@ final class InspectionTree {
     return node;
   }
 
-  private static DefaultMutableTreeNode march(final March march) {
-    final DefaultMutableTreeNode node = node("inspect.march", march.steps().size(), Messages.text("march." + march.end()));
+  private static DefaultMutableTreeNode march(final SphereTrace march) {
+    final DefaultMutableTreeNode node = node("inspect.march", march.steps().size(), Messages.text("window.march."
+        + march.end()));
     int number = 0;
-    for (final March.Step step : march.steps().subList(0, Math.min(MOST_STEPS, march.steps().size()))) {
+    for (final SphereTrace.Step step : march.steps().subList(0, Math.min(MOST_STEPS, march.steps().size()))) {
       add(node, String.format(Locale.ROOT, "%d: t = %.6g, SDF = %.6g", ++number, step.t(), step.distance()));
     }
     return node;
@@ -142,7 +145,7 @@ final class InspectionTree {
     final DefaultMutableTreeNode node = node("inspect.colour", colour(inspection.argb()));
     for (final ColourStep step : inspection.colour()) {
       final String number = String.format(Locale.ROOT, "%.6f", step.number());
-      add(node, Messages.text("colour." + step.kind(), number, colour(step.argb())));
+      add(node, Messages.text("window.colour." + step.kind(), number, colour(step.argb())));
     }
     return node;
   }

@@ -20,9 +20,10 @@ import javax.swing.tree.DefaultTreeCellRenderer;
 import javax.swing.tree.DefaultTreeModel;
 import javax.swing.tree.TreePath;
 
+import arguments.Messages;
 import inspection.Inspection;
-import inspection.Meeting;
-import inspection.TestText;
+import inspection.Intersection;
+import inspection.JUnitTestWriter;
 
 /** Shows what is known of the pinned pixel. */
 final class InspectorPanel extends JPanel {
@@ -41,8 +42,8 @@ final class InspectorPanel extends JPanel {
       return path == null ? null : path.getLastPathComponent().toString();
     }
   };
-  private final MarchPlot plot = new MarchPlot();
-  private final JButton copy = new JButton(Messages.text("copyTest.text"));
+  private final SphereTracePlot plot = new SphereTracePlot();
+  private final JButton copy = new JButton(Messages.text("window.copyTest.text"));
   private transient Inspection inspection;
 
   InspectorPanel() {
@@ -64,7 +65,7 @@ final class InspectorPanel extends JPanel {
     add(bottom, BorderLayout.SOUTH);
     prepareTree();
     copy.setName("copyTest");
-    copy.setToolTipText(Messages.text("copyTest.tip"));
+    copy.setToolTipText(Messages.text("window.copyTest.tip"));
     copy.addActionListener(event -> copyTest());
     clear();
   }
@@ -74,7 +75,7 @@ final class InspectorPanel extends JPanel {
     ToolTipManager.sharedInstance().registerComponent(tree);
     tree.setRootVisible(false);
     tree.setShowsRootHandles(true);
-    tree.getAccessibleContext().setAccessibleName(Messages.text("inspector.name"));
+    tree.getAccessibleContext().setAccessibleName(Messages.text("window.inspector.name"));
     final DefaultTreeCellRenderer plain = new DefaultTreeCellRenderer();
     plain.setLeafIcon(null);
     plain.setOpenIcon(null);
@@ -86,7 +87,7 @@ final class InspectorPanel extends JPanel {
   /** Shows nothing but how to begin. */
   void clear() {
     inspection = null;
-    heading.setText(Messages.text("inspector.empty"));
+    heading.setText(Messages.text("window.inspector.empty"));
     swatch.setVisible(false);
     tree.setModel(new DefaultTreeModel(new DefaultMutableTreeNode()));
     copy.setEnabled(false);
@@ -128,7 +129,7 @@ final class InspectorPanel extends JPanel {
   }
 
   /** The meeting that is selected in the tree, or else the winner, or else the first. */
-  Optional<Meeting> selected() {
+  Optional<Intersection> selected() {
     final TreePath path = tree.getSelectionPath();
     if (path != null) {
       for (final Object node : path.getPath()) {
@@ -144,13 +145,13 @@ final class InspectorPanel extends JPanel {
   }
 
   private void showMarch() {
-    plot.setMarch(selected().flatMap(Meeting::march).orElse(null));
+    plot.setMarch(selected().flatMap(Intersection::march).orElse(null));
     copy.setEnabled(selected().isPresent());
   }
 
   /** Puts the test of the selected meeting on the clipboard. */
   void copyTest() {
     selected().ifPresent(meeting -> Toolkit.getDefaultToolkit().getSystemClipboard()
-        .setContents(new StringSelection(TestText.of(inspection, meeting)), null));
+        .setContents(new StringSelection(JUnitTestWriter.of(inspection, meeting)), null));
   }
 }

@@ -6,7 +6,8 @@ import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.util.Locale;
 
-import upnatray.ColourScale;
+import arguments.Messages;
+import rendering.ColourScale;
 
 /** The legend of a view of numbers: its colours from top to bottom, with numbers beside them. */
 final class LegendView extends Drawing {
@@ -32,7 +33,7 @@ final class LegendView extends Drawing {
     setVisible(next != null);
     if (next != null) {
       getAccessibleContext().setAccessibleDescription(text(next, next.least()) + " ... " + text(next, next.greatest()));
-      setToolTipText(Messages.text(next.isDepth() ? "legend.depth.tip" : "legend.cost.tip"));
+      setToolTipText(Messages.text(next.isDepth() ? "window.legend.depth.tip" : "window.legend.cost.tip"));
     }
     repaint();
   }
@@ -49,7 +50,8 @@ final class LegendView extends Drawing {
       return;
     }
     g.setColor(getForeground());
-    g.drawString(Messages.text(scale.isDepth() ? "legend.depth" : "legend.cost"), MARGIN / 2, MARGIN + font.getAscent());
+    g.drawString(Messages.text(scale.isDepth() ? "window.legend.depth" : "window.legend.cost"), MARGIN / 2, MARGIN
+        + font.getAscent());
     for (int y = 0; y < height; y++) {
       g.setColor(new Color(scale.argbAt((double) y / (height - 1))));
       g.fillRect(MARGIN, top + y, BAR, 1);

@@ -13,7 +13,8 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
 
-import upnatray.View;
+import arguments.Messages;
+import rendering.RenderPass;
 
 /** The menus: everything that the window can do, each with its key. */
 final class MenuBar extends JMenuBar {
@@ -24,7 +25,7 @@ final class MenuBar extends JMenuBar {
 
   private final transient RenderWindow window;
   private final JMenu recent = menu("recent");
-  private final Map<View, JMenuItem> views = new EnumMap<>(View.class);
+  private final Map<RenderPass, JMenuItem> views = new EnumMap<>(RenderPass.class);
 
   MenuBar(final RenderWindow window) {
     this.window = window;
@@ -36,9 +37,9 @@ final class MenuBar extends JMenuBar {
   }
 
   private static JMenu menu(final String key) {
-    final JMenu menu = new JMenu(Messages.text(key + ".text"));
+    final JMenu menu = new JMenu(Messages.text("window." + key + ".text"));
     menu.setName(key);
-    menu.setMnemonic(Messages.text(key + ".mnemonic").charAt(0));
+    menu.setMnemonic(Messages.text("window." + key + ".mnemonic").charAt(0));
     return menu;
   }
 
@@ -66,14 +67,14 @@ final class MenuBar extends JMenuBar {
       item.addActionListener(event -> window.open(path));
     }
     if (recent.getItemCount() == 0) {
-      recent.add(Messages.text("recent.none")).setEnabled(false);
+      recent.add(Messages.text("window.recent.none")).setEnabled(false);
     }
   }
 
   private JMenu viewMenu() {
     final JMenu menu = menu("view");
     final ButtonGroup group = new ButtonGroup();
-    for (final View what : View.values()) {
+    for (final RenderPass what : RenderPass.values()) {
       final JMenuItem item = new JRadioButtonMenuItem(
           Command.of("view." + what, "alt " + (what.ordinal() + 1), () -> window.setWhat(what)));
       item.setSelected(what == window.session().view());
@@ -102,7 +103,7 @@ final class MenuBar extends JMenuBar {
   }
 
   /** Shows what is shown. */
-  void select(final View what) {
+  void select(final RenderPass what) {
     views.get(what).setSelected(true);
   }
 

@@ -7,6 +7,8 @@ import java.nio.file.Path;
 
 import javax.imageio.ImageIO;
 
+import arguments.Messages;
+
 /** Pictures that the window reads, and names for those that it saves. */
 final class PictureFile {
 
@@ -15,11 +17,11 @@ final class PictureFile {
 
   static BufferedImage read(final Path file) throws IOException {
     if (!Files.isReadable(file)) {
-      throw new IOException(Messages.text("compare.unreadable"));
+      throw new IOException(Messages.text("window.compare.unreadable"));
     }
     final BufferedImage picture = ImageIO.read(file.toFile());
     if (picture == null) {
-      throw new IOException(Messages.text("compare.noPicture"));
+      throw new IOException(Messages.text("window.compare.noPicture"));
     }
     return picture;
   }

@@ -12,6 +12,8 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 
+import arguments.Messages;
+
 /** Shows a picture at any zoom: a checkerboard where it is transparent, a grid between large pixels, a pinned pixel. */
 final class PictureView extends Drawing {
 
@@ -46,7 +48,7 @@ final class PictureView extends Drawing {
     setOpaque(true);
     setPreferredSize(new Dimension(640, 480));
     setCursor(Cursor.getPredefinedCursor(Cursor.CROSSHAIR_CURSOR));
-    getAccessibleContext().setAccessibleDescription(Messages.text("picture.tip"));
+    getAccessibleContext().setAccessibleDescription(Messages.text("window.picture.tip"));
     final PictureMouse mouse = new PictureMouse(this);
     addMouseListener(mouse);
     addMouseMotionListener(mouse);

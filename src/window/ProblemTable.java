@@ -10,7 +10,8 @@ import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.table.AbstractTableModel;
 
-import scenes.Problem;
+import arguments.Messages;
+import diagnostics.Problem;
 
 /** The list of what is wrong with a scene: file, line, column, message. It is there only if something is. */
 final class ProblemTable extends JPanel {
@@ -39,14 +40,14 @@ final class ProblemTable extends JPanel {
 
     @Override
     public String getColumnName(final int column) {
-      return Messages.text("problems." + COLUMNS[column]);
+      return Messages.text("window.problems." + COLUMNS[column]);
     }
 
     @Override
     public Object getValueAt(final int row, final int column) {
       final Problem problem = problems.get(row);
       return switch (column) {
-        case 0 -> Messages.text("problems." + problem.severity());
+        case 0 -> Messages.text("window.problems." + problem.severity());
         case 1 -> problem.file().replaceFirst(".*[/\\\\]", "");
         case 2 -> problem.line() == 0 ? "" : problem.line();
         case 3 -> problem.column() == 0 ? "" : problem.column();
@@ -70,7 +71,7 @@ final class ProblemTable extends JPanel {
   ProblemTable() {
     super(new BorderLayout());
     table.setName("problems");
-    table.getAccessibleContext().setAccessibleName(Messages.text("problems.name"));
+    table.getAccessibleContext().setAccessibleName(Messages.text("window.problems.name"));
     table.setFillsViewportHeight(true);
     for (int i = 0; i < WIDTHS.length; i++) {
       table.getColumnModel().getColumn(i).setPreferredWidth(WIDTHS[i]);

@@ -18,10 +18,11 @@ import java.util.Set;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 
+import arguments.Messages;
 import models.Group3D;
-import scenes.Scene;
+import rendering.RenderPass;
+import scenes.SceneFile;
 import upnatray.RenderJob;
-import upnatray.View;
 import view.Camera;
 
 /**
@@ -36,8 +37,8 @@ public final class RenderWindow {
   private final InspectorPanel inspector = new InspectorPanel();
   private final ProblemTable problems = new ProblemTable();
   private final LegendView legend = new LegendView();
-  private final Showing showing = new Showing(this);
-  private final Questions questions = new Questions(this);
+  private final RenderPresenter showing = new RenderPresenter(this);
+  private final PixelInspections questions = new PixelInspections(this);
   private final Command render = Command.of("render", "F5", this::renderAgain);
   private final Command cancel = Command.of("cancel", "ESCAPE", showing::cancel);
   private final StatusBar status = new StatusBar(cancel);
@@ -46,7 +47,7 @@ public final class RenderWindow {
   private final ToolBar toolBar;
   private final MenuBar menus;
 
-  RenderWindow(final Settings settings, final View what, final int threads) {
+  RenderWindow(final Settings settings, final RenderPass what, final int threads) {
     this.settings = settings;
     this.session = new Session(showing, what, threads);
     this.toolBar = new ToolBar(this);
@@ -82,18 +83,18 @@ public final class RenderWindow {
    */
   public static void show(final String title, final Group3D objects, final Camera camera, final int W, final int H,
       final Color background) {
-    final Scene scene = new Scene(notNull("title", title), positive("W", W), positive("H", H),
+    final SceneFile scene = new SceneFile(notNull("title", title), positive("W", W), positive("H", H),
         notNull("background", background), true, notNull("camera", camera), notNull("objects", objects), Map.of(), Set.of());
     if (camera.getProjection() == null) {
       throw wrongState("noProjection");
     }
     if (!new WindowViewer().isAvailable()) {
-      throw new IllegalStateException(Messages.text("show.noDisplay"));
+      throw new IllegalStateException(Messages.text("window.show.noDisplay"));
     }
     SwingUtilities.invokeLater(() -> {
       final Settings settings = Settings.ofUser();
       Theme.install(settings.isDark());
-      final RenderWindow window = new RenderWindow(settings, View.COLOUR, 0);
+      final RenderWindow window = new RenderWindow(settings, RenderPass.COLOUR, 0);
       window.open(scene);
       window.frame.setVisible(true);
     });
@@ -121,7 +122,7 @@ public final class RenderWindow {
     session.open(path);
   }
 
-  void open(final Scene known) {
+  void open(final SceneFile known) {
     begin(known.name());
     session.open(known);
   }
@@ -132,14 +133,14 @@ public final class RenderWindow {
     showing.forget();
     unpin();
     status.showPixel(null, 0, 0);
-    status.showText(Messages.text("status.reading", name));
+    status.showText(Messages.text("window.status.reading", name));
   }
 
   void renderAgain() {
     session.render();
   }
 
-  void setWhat(final View next) {
+  void setWhat(final RenderPass next) {
     menus.select(next);
     toolBar.select(next);
     session.setView(next);
@@ -164,7 +165,7 @@ public final class RenderWindow {
   void copyPicture() {
     if (view.hasPicture()) {
       Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new PictureClip(view.picture()), null);
-      status.showText(Messages.text("status.copied"));
+      status.showText(Messages.text("window.status.copied"));
     }
   }
 

@@ -6,23 +6,23 @@ import java.util.List;
 
 import javax.swing.SwingUtilities;
 
-import scenes.Scene;
-import upnatray.View;
+import scenes.SceneFile;
+import rendering.RenderPass;
 
 /** What is open in a window, and how it is to be rendered. It is rendered anew when the scene or a mesh of it is saved. */
 final class Session {
 
-  private final Renderer renderer;
+  private final BackgroundRenderer renderer;
   private final SceneWatch watch = new SceneWatch(() -> SwingUtilities.invokeLater(this::render));
   private final int threads;
   private Path file;
-  private Scene scene;
-  private View view;
+  private SceneFile scene;
+  private RenderPass view;
   private PictureSize size = PictureSize.OWN;
 
   /** With nothing open yet, for a number of threads; 0 for one for each core. */
-  Session(final Renderer.Listener listener, final View view, final int threads) {
-    this.renderer = new Renderer(listener);
+  Session(final BackgroundRenderer.Listener listener, final RenderPass view, final int threads) {
+    this.renderer = new BackgroundRenderer(listener);
     this.view = view;
     this.threads = threads > 0 ? threads : Runtime.getRuntime().availableProcessors();
   }
@@ -36,7 +36,7 @@ final class Session {
   }
 
   /** Opens a scene of a program of one's own. */
-  void open(final Scene known) {
+  void open(final SceneFile known) {
     file = null;
     scene = known;
     watch.watch(List.of());
@@ -46,7 +46,7 @@ final class Session {
   /** Reads the file, if it is one, and renders. */
   void render() {
     if (isOpen()) {
-      renderer.render(new Renderer.Wish(file, scene, view, size, threads));
+      renderer.render(new BackgroundRenderer.RenderRequest(file, scene, view, size, threads));
     }
   }
 
@@ -55,7 +55,7 @@ final class Session {
   }
 
   /** Watches the meshes of the scene too. */
-  void watchMeshes(final Scene read) {
+  void watchMeshes(final SceneFile read) {
     final List<Path> files = new ArrayList<>(read.meshes());
     files.add(file);
     watch.watch(files);
@@ -66,11 +66,11 @@ final class Session {
     return file;
   }
 
-  View view() {
+  RenderPass view() {
     return view;
   }
 
-  void setView(final View next) {
+  void setView(final RenderPass next) {
     view = next;
     render();
   }

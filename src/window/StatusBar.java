@@ -13,6 +13,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 
+import arguments.Messages;
 import upnatray.RenderJob;
 
 /** The line at the foot of the window: the pixel under the pointer, how far the rendering is, and what it did. */
@@ -34,7 +35,7 @@ final class StatusBar extends JPanel {
     pixel.setName("pixel");
     text.setName("status");
     progress.setName("progress");
-    progress.getAccessibleContext().setAccessibleName(Messages.text("progress.name"));
+    progress.getAccessibleContext().setAccessibleName(Messages.text("window.progress.name"));
     progress.setMaximumSize(new Dimension(180, 18));
     progress.setPreferredSize(new Dimension(180, 18));
     cancel = new JButton(cancelling);
@@ -56,7 +57,7 @@ final class StatusBar extends JPanel {
 
   /** Shows a pixel in the convention of the assignment, row 0 at the bottom; null for none. */
   void showPixel(final Point place, final int H, final int argb) {
-    pixel.setText(place == null ? " " : Messages.text("status.pixel", place.x, H - 1 - place.y,
+    pixel.setText(place == null ? " " : Messages.text("window.status.pixel", place.x, H - 1 - place.y,
         InspectionTree.colour(argb), String.format(Locale.ROOT, "#%08x", argb)));
   }
 
@@ -73,13 +74,13 @@ final class StatusBar extends JPanel {
   void showProgress(final RenderJob job) {
     progress.setValue((int) (STEPS * job.share()));
     final double left = job.secondsLeft();
-    text.setText(Messages.text("status.progress", (int) (100 * job.share()),
+    text.setText(Messages.text("window.status.progress", (int) (100 * job.share()),
         left < Double.POSITIVE_INFINITY ? seconds(left) : "?", rays(job.raysPerSecond())));
   }
 
   /** What to tell of a rendering that has ended. */
   static String finished(final RenderJob job, final boolean completed) {
-    return Messages.text(completed ? "status.finished" : "status.cancelled", job.image().getWidth(),
+    return Messages.text(completed ? "window.status.finished" : "window.status.cancelled", job.image().getWidth(),
         job.image().getHeight(), seconds(job.seconds()), rays(job.raysPerSecond()));
   }
 

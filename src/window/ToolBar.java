@@ -11,7 +11,8 @@ import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JToolBar;
 
-import upnatray.View;
+import arguments.Messages;
+import rendering.RenderPass;
 
 /** The bar under the menus: render, size, what to show, zoom. */
 final class ToolBar extends JToolBar {
@@ -21,7 +22,7 @@ final class ToolBar extends JToolBar {
   private final transient RenderWindow window;
   private final JComboBox<String> size = new JComboBox<>(new String[] {"25 %", "50 %", "100 %", "200 %", "640 x 480",
       "1920 x 1080"});
-  private final JComboBox<View> what = new JComboBox<>(View.values());
+  private final JComboBox<RenderPass> what = new JComboBox<>(RenderPass.values());
   private boolean selecting;
 
   ToolBar(final RenderWindow window) {
@@ -55,10 +56,10 @@ final class ToolBar extends JToolBar {
   }
 
   private void addLabelled(final String key, final JComboBox<?> box, final ActionListener listener) {
-    final JLabel label = new JLabel(Messages.text(key + ".label") + " ");
+    final JLabel label = new JLabel(Messages.text("window." + key + ".label") + " ");
     label.setLabelFor(box);
-    box.setToolTipText(Messages.text(key + ".tip"));
-    box.getAccessibleContext().setAccessibleName(Messages.text(key + ".label"));
+    box.setToolTipText(Messages.text("window." + key + ".tip"));
+    box.getAccessibleContext().setAccessibleName(Messages.text("window." + key + ".label"));
     box.addActionListener(listener);
     add(label);
     add(box);
@@ -75,12 +76,12 @@ final class ToolBar extends JToolBar {
   }
 
   private void takeWhat() {
-    if (!selecting && what.getSelectedItem() instanceof View view && view != window.session().view()) {
+    if (!selecting && what.getSelectedItem() instanceof RenderPass view && view != window.session().view()) {
       window.setWhat(view);
     }
   }
 
-  void select(final View view) {
+  void select(final RenderPass view) {
     selecting = true;
     what.setSelectedItem(view);
     selecting = false;
@@ -98,7 +99,7 @@ final class ToolBar extends JToolBar {
     @Override
     public Component getListCellRendererComponent(final JList<?> list, final Object value, final int index,
         final boolean isSelected, final boolean cellHasFocus) {
-      final String name = value == null ? "" : Messages.text("view." + value + ".text");
+      final String name = value == null ? "" : Messages.text("window.view." + value + ".text");
       return super.getListCellRendererComponent(list, name, index, isSelected, cellHasFocus);
     }
   }

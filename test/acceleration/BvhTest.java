@@ -231,10 +231,10 @@ class BvhTest {
       }
       this.leaf = leaf;
       bins = new Bins(boxes, order);
-      build(0, order.length, Extent.of(boxes, 0, order.length), 0);
+      build(0, order.length, BoxBuilder.of(boxes, 0, order.length), 0);
     }
 
-    private void build(final int first, final int end, final Extent centres, final int level) {
+    private void build(final int first, final int end, final BoxBuilder centres, final int level) {
       if (end - first <= leaf) {
         leaves.put(first, end);
         return;

@@ -73,7 +73,7 @@ class TileFrustumTest {
       for (int k = 0; k < 10; k++) {
         final int i = Tiles.anyRay(random, tile), column = i % RayTile.SIZE, row = i / RayTile.SIZE;
         final float[] box = boxOnRay(random, size, Tiles.start(tile, i), Tiles.direction(tile, i));
-        assertTrue(tile.look(boundingBox(box)), () -> describe(tile, i, box));
+        assertTrue(tile.narrowTo(boundingBox(box)), () -> describe(tile, i, box));
         assertTrue(tile.firstColumn() <= column && column <= tile.lastColumn()
             && tile.firstRow() <= row && row <= tile.lastRow(), () -> describe(tile, i, box));
         limited[0] += tile.lastColumn() - tile.firstColumn() + 1 < tile.columns() ? 1 : 0;
@@ -271,7 +271,7 @@ class TileFrustumTest {
     tile.put(1, 0, 0, 0, -1, 0, 0);
     tile.close();
     assertFalse(tile.frustum().isFitted());
-    assertTrue(tile.look(boundingBox(new float[] {3, 3, 3, 4, 4, 4})));
+    assertTrue(tile.narrowTo(boundingBox(new float[] {3, 3, 3, 4, 4, 4})));
   }
 
   @ParameterizedTest
@@ -325,15 +325,15 @@ class TileFrustumTest {
     tile.put(0, 0, 0, 0, -0.01, 0, -1);
     tile.put(1, 0, 0, 0, 0.01, 0, -1);
     tile.close();
-    assertTrue(tile.look(new BoundingBox(new Point3D(-1, -1, -3), new Point3D(1, 1, -2))));
-    assertFalse(tile.look(new BoundingBox(new Point3D(5, -1, -3), new Point3D(6, 1, -2))));
-    assertFalse(tile.look(new BoundingBox(new Point3D(-1, -1, 2), new Point3D(1, 1, 3))));
+    assertTrue(tile.narrowTo(new BoundingBox(new Point3D(-1, -1, -3), new Point3D(1, 1, -2))));
+    assertFalse(tile.narrowTo(new BoundingBox(new Point3D(5, -1, -3), new Point3D(6, 1, -2))));
+    assertFalse(tile.narrowTo(new BoundingBox(new Point3D(-1, -1, 2), new Point3D(1, 1, 3))));
   }
 
   @Test
   void aBoxWithoutEndIsSeenByTheWholeTile() {
     final RayTile tile = Tiles.random(new Random(3), Tiles.Kind.PYRAMID, 1);
-    assertTrue(tile.look(BoundingBox.UNBOUNDED));
+    assertTrue(tile.narrowTo(BoundingBox.UNBOUNDED));
     assertEquals(tile.columns() - 1, tile.lastColumn() - tile.firstColumn());
     assertEquals(tile.rows() - 1, tile.lastRow() - tile.firstRow());
   }

@@ -29,7 +29,7 @@ import primitives.Vector3D;
 import tracer.Hit;
 import tracer.Ray;
 import upnatray.Image;
-import upnatray.Rendering;
+import rendering.RenderSettings;
 import view.Camera;
 import view.Perspective;
 
@@ -69,7 +69,7 @@ public final class ShapePictures {
     final Camera camera = new Camera(new Point3D(2.4f, 2.4f, 6), O, Y);
     camera.setProjection(new Perspective(28, (float) WIDTH / HEIGHT));
     final Image image = new Image(WIDTH, HEIGHT, NOTHING);
-    image.synthesis(scene, camera, Rendering.STANDARD.withShading(ShapePictures::argb));
+    image.synthesis(scene, camera, RenderSettings.STANDARD.withShading(ShapePictures::argb));
     return image;
   }
 

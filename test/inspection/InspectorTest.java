@@ -20,21 +20,21 @@ import javax.vecmath.Vector3f;
 import org.junit.jupiter.api.Test;
 
 import models.AffineTransformation;
-import models.March;
+import models.SphereTrace;
 import models.Object3D;
 import models.Sphere;
 import models.Torus;
 import primitives.BoundingBox;
 import primitives.Point3D;
 import primitives.Vector3D;
-import scenes.FishEye;
-import scenes.Scene;
+import view.FishEye;
+import scenes.SceneFile;
 import scenes.SceneReader;
 import tracer.Hit;
 import tracer.Ray;
-import upnatray.Progress;
+import rendering.Progress;
 import upnatray.RenderJob;
-import upnatray.View;
+import rendering.RenderPass;
 import view.Angular;
 import view.Orthographic;
 import view.Projection;
@@ -52,8 +52,8 @@ class InspectorTest {
   void theColourOfEveryPixelIsThatOfThePicture() {
     for (final Projection projection : List.of(SampleScenes.perspective(), new Orthographic(4, 0.75f), new Angular(50))) {
       for (final boolean facing : new boolean[] {true, false}) {
-        final Scene scene = SampleScenes.of(projection, facing, SampleScenes.everyShape());
-        final RenderJob job = new RenderJob(scene, View.COLOUR, W, H, 2);
+        final SceneFile scene = SampleScenes.of(projection, facing, SampleScenes.everyShape());
+        final RenderJob job = new RenderJob(scene, RenderPass.COLOUR, W, H, 2);
         assertTrue(job.run(Progress.NONE));
         final Inspector inspector = new Inspector(scene, W, H);
         for (int m = 0; m < W; m++) {
@@ -72,7 +72,7 @@ class InspectorTest {
     final Sphere near = new Sphere(new Point3D(0, 0, 2), 0.5f, Color.RED), far = new Sphere(new Point3D(), 1, Color.BLUE);
     final Inspection inspection = centre(far, near, new Sphere(new Point3D(9, 9, 9), 1, Color.GREEN));
     assertEquals(2, inspection.meetings().size());
-    final Meeting first = inspection.meetings().get(0), second = inspection.meetings().get(1);
+    final Intersection first = inspection.meetings().get(0), second = inspection.meetings().get(1);
     assertSame(near, first.object());
     assertTrue(first.winner());
     assertEquals("the Sphere", first.name());
@@ -117,7 +117,7 @@ class InspectorTest {
 
   @Test
   void theLastFormulasAreTheRayOfASceneFileToo() {
-    final Scene scene = SceneReader.read(Path.of("scenes", "angular.xml")).scene().orElseThrow();
+    final SceneFile scene = SceneReader.read(Path.of("scenes", "angular.xml")).scene().orElseThrow();
     for (final int[] at : new int[][] {{400, 400}, {100, 300}, {1, 399}}) {
       final PixelRay pixel = new Inspector(scene, 800, 800).inspect(at[0], at[1]).pixel();
       final Formula last = pixel.formulas().get(pixel.formulas().size() - 1);
@@ -144,7 +144,7 @@ class InspectorTest {
   @Test
   void aTransformedObjectShowsRayAndHitInItsOwnFrame() {
     final Sphere unit = new Sphere(new Point3D(), 1, Color.RED);
-    final Meeting meeting = centre(new AffineTransformation(new Vector3f(2, 2, 2), new Vector3f(0, 0, -1), unit))
+    final Intersection meeting = centre(new AffineTransformation(new Vector3f(2, 2, 2), new Vector3f(0, 0, -1), unit))
         .meetings().get(0);
     assertSame(unit, meeting.object());
     assertNotSame(unit, meeting.whole());
@@ -157,9 +157,10 @@ class InspectorTest {
 
   @Test
   void aMarchIsToldStepByStep() {
-    final Meeting meeting = centre(new Torus(new Point3D(), new Vector3D(0, 1, 0), 1, 0.4f, Color.RED)).meetings().get(0);
-    final March march = meeting.march().orElseThrow();
-    assertEquals(March.End.REACHED, march.end());
+    final Intersection meeting = centre(new Torus(new Point3D(), new Vector3D(0, 1, 0), 1, 0.4f,
+        Color.RED)).meetings().get(0);
+    final SphereTrace march = meeting.march().orElseThrow();
+    assertEquals(SphereTrace.End.REACHED, march.end());
     assertEquals(3.6, march.t(), 1e-6);
     assertEquals(meeting.hit().getT(), march.t(), 1e-6);
     assertEquals(0, march.steps().get(0).t());
@@ -169,23 +170,23 @@ class InspectorTest {
   @Test
   void aMarchThatPassesATorusByIsToldToo() {
     final Torus ring = new Torus(new Point3D(), new Vector3D(0, 0, 1), 1, 0.4f, Color.RED);
-    final Meeting meeting = centre(ring, new Torus(new Point3D(9, 9, 9), new Vector3D(0, 0, 1), 1, 0.4f, Color.RED))
+    final Intersection meeting = centre(ring, new Torus(new Point3D(9, 9, 9), new Vector3D(0, 0, 1), 1, 0.4f, Color.RED))
         .meetings().get(0);
     assertSame(ring, meeting.object());
     assertFalse(meeting.hit().hits() || meeting.winner());
-    assertEquals(March.End.PASSED, meeting.march().orElseThrow().end());
+    assertEquals(SphereTrace.End.PASSED, meeting.march().orElseThrow().end());
     assertEquals(1, centre(ring).meetings().size());
   }
 
   @Test
   void aShapeThatCallsItselfForEverIsFound() {
-    final Meeting meeting = centre(new Wrong() {
+    final Intersection meeting = centre(new Wrong() {
       @Override
       public Hit intersectionWith(final Ray ray) {
         return intersectionWith(ray);
       }
     }).meetings().get(0);
-    assertEquals(List.of(Finding.EXCEPTION), meeting.findings());
+    assertEquals(List.of(ContractViolation.EXCEPTION), meeting.findings());
     assertTrue(meeting.failure().contains("StackOverflowError"), meeting.failure());
   }
 
@@ -201,13 +202,13 @@ class InspectorTest {
     }
   }
 
-  private static List<Finding> findings(final Wrong object) {
+  private static List<ContractViolation> findings(final Wrong object) {
     return centre(object).meetings().get(0).findings();
   }
 
   @Test
   void anAnswerOfNullIsFound() {
-    assertEquals(List.of(Finding.NULL_HIT), findings(new Wrong() {
+    assertEquals(List.of(ContractViolation.NULL_HIT), findings(new Wrong() {
       @Override
       public Hit intersectionWith(final Ray ray) {
         return null;
@@ -217,13 +218,13 @@ class InspectorTest {
 
   @Test
   void anExceptionIsFoundWithItsMessage() {
-    final Meeting meeting = centre(new Wrong() {
+    final Intersection meeting = centre(new Wrong() {
       @Override
       public Hit intersectionWith(final Ray ray) {
         throw new ArithmeticException("by zero");
       }
     }).meetings().get(0);
-    assertEquals(List.of(Finding.EXCEPTION), meeting.findings());
+    assertEquals(List.of(ContractViolation.EXCEPTION), meeting.findings());
     assertTrue(meeting.failure().contains("by zero (InspectorTest.java:"), meeting.failure());
     assertFalse(meeting.winner());
   }
@@ -233,7 +234,7 @@ class InspectorTest {
   void theOriginOfAnExceptionIsNotInTheJdkNorInTheChecks() {
     for (final Runnable wrong : List.<Runnable>of(() -> Objects.requireNonNull(null), () -> new ArrayList<>().get(0),
         () -> Integer.parseInt(""), () -> notNull("this", null))) {
-      final Meeting meeting = centre(new Wrong() {
+      final Intersection meeting = centre(new Wrong() {
         @Override
         public Hit intersectionWith(final Ray ray) {
           wrong.run();
@@ -246,7 +247,7 @@ class InspectorTest {
 
   @Test
   void aPointThatIsNotOnTheRayIsFound() {
-    assertEquals(List.of(Finding.POINT_OFF_RAY), findings(new Wrong() {
+    assertEquals(List.of(ContractViolation.POINT_OFF_RAY), findings(new Wrong() {
       @Override
       public Hit intersectionWith(final Ray ray) {
         return new Hit(3, new Point3D(0, 0, 1), new Vector3D(0, 0, 1), this);
@@ -256,7 +257,7 @@ class InspectorTest {
 
   @Test
   void anAnswerThatChangesIsFound() {
-    assertEquals(List.of(Finding.UNSTEADY), findings(new Wrong() {
+    assertEquals(List.of(ContractViolation.UNSTEADY), findings(new Wrong() {
       private boolean asked;
 
       @Override
@@ -283,10 +284,10 @@ class InspectorTest {
 
   @Test
   void wrongBoxesAreFound() {
-    assertEquals(List.of(Finding.NULL_BOX), findings(withBox(null, 1)));
-    assertEquals(List.of(Finding.POINT_OUTSIDE_BOX),
+    assertEquals(List.of(ContractViolation.NULL_BOX), findings(withBox(null, 1)));
+    assertEquals(List.of(ContractViolation.POINT_OUTSIDE_BOX),
         findings(withBox(new BoundingBox(new Point3D(-1, -1, -1), new Point3D(1, 1, 0.5f)), 1)));
-    assertEquals(List.of(Finding.BOX_PASSED_BY, Finding.POINT_OUTSIDE_BOX),
+    assertEquals(List.of(ContractViolation.BOX_PASSED_BY, ContractViolation.POINT_OUTSIDE_BOX),
         findings(withBox(new BoundingBox(new Point3D(2, 2, 2), new Point3D(3, 3, 3)), 1)));
   }
 
@@ -302,7 +303,7 @@ class InspectorTest {
   void aNormalThatLooksInwardIsFound() {
     final BoundingBox box = new BoundingBox(new Point3D(-1, -1, -1), new Point3D(1, 1, 1));
     assertEquals(List.of(), findings(withBox(box, 1)));
-    assertEquals(List.of(Finding.NORMAL_INWARD), findings(withBox(box, -1)));
+    assertEquals(List.of(ContractViolation.NORMAL_INWARD), findings(withBox(box, -1)));
   }
 
   @Test

@@ -21,7 +21,7 @@ import models.Triangle;
 import models.TriangularMesh;
 import primitives.Point3D;
 import primitives.Vector3D;
-import scenes.Scene;
+import scenes.SceneFile;
 import view.Camera;
 import view.Perspective;
 import view.Projection;
@@ -33,7 +33,7 @@ public final class SampleScenes {
   }
 
   /** A scene of some objects, whose names are those of their classes. */
-  public static Scene of(final Projection projection, final boolean facing, final Object3D... objects) {
+  public static SceneFile of(final Projection projection, final boolean facing, final Object3D... objects) {
     final Camera camera = new Camera(new Point3D(0, 0, 5), new Point3D(), new Vector3D(0, 1, 0));
     camera.setProjection(projection);
     final Group3D group = new Group3D();
@@ -42,7 +42,7 @@ public final class SampleScenes {
       group.addObject(object);
       names.put(object, "the " + object.getClass().getSimpleName());
     }
-    return new Scene("sample", 48, 36, new Color(10, 20, 30), facing, camera, group, names, Set.of());
+    return new SceneFile("sample", 48, 36, new Color(10, 20, 30), facing, camera, group, names, Set.of());
   }
 
   /** One of each shape, a transformed one, and a group within. */

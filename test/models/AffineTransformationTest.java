@@ -27,7 +27,7 @@ class AffineTransformationTest implements Object3DContract {
 
   /** A mirrored and stretched ball: half axes 2, 1 and 0.5, the first turned by 30° about z. */
   @Override
-  public Object3D shape(final Placement at) {
+  public Object3D shape(final RandomPlacement at) {
     final Object3D stretched = new AffineTransformation(new Vector3f(-2, 1, 0.5f), new Vector3f(0, 0, 1), 30,
         new Vector3f(1, -1, 0.25f), UNIT);
     return at.transformed(stretched);

@@ -22,7 +22,7 @@ class BoxTest implements Object3DContract {
       new Box(new Point3D(), new Vector3D(2, 0, 0), new Vector3D(0, 5, 0), 6, 4, 2, Color.RED);
 
   @Override
-  public Object3D shape(final Placement at) {
+  public Object3D shape(final RandomPlacement at) {
     return new Box(at.point(1, -1, 2), at.direction(2, 2, 1), at.direction(-2, 3, 0), at.length(3), at.length(1.5f),
         at.length(2), Color.RED);
   }

@@ -21,7 +21,7 @@ class CapsuleTest implements Object3DContract {
   private static final Capsule UPRIGHT = new Capsule(new Point3D(), new Vector3D(0, 2, 0), 5, 6, Color.RED);
 
   @Override
-  public Object3D shape(final Placement at) {
+  public Object3D shape(final RandomPlacement at) {
     return new Capsule(at.point(-1, 0.5, 2), at.direction(2, -1, 2), at.length(1.25f), at.length(3), Color.RED);
   }
 

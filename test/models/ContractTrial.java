@@ -18,10 +18,10 @@ final class ContractTrial {
   static final int RAYS = 2000;
 
   /** Where shapes are placed to be compared with transformed ones. */
-  static final Placement[] PLACEMENTS = {
-    new Placement(2.5f, new Vector3D(1, 2, 3), 40, new Vector3D(-4, 5, 6)),
-    new Placement(0.01f, new Vector3D(-1, 0.5f, 0.2f), 250, new Vector3D(0.1f, -0.02f, 0.03f)),
-    new Placement(300, new Vector3D(0, 1, 0), -90, new Vector3D(1000, 200, -7))
+  static final RandomPlacement[] PLACEMENTS = {
+    new RandomPlacement(2.5f, new Vector3D(1, 2, 3), 40, new Vector3D(-4, 5, 6)),
+    new RandomPlacement(0.01f, new Vector3D(-1, 0.5f, 0.2f), 250, new Vector3D(0.1f, -0.02f, 0.03f)),
+    new RandomPlacement(300, new Vector3D(0, 1, 0), -90, new Vector3D(1000, 200, -7))
   };
 
   private final Object3DContract contract;
@@ -33,7 +33,7 @@ final class ContractTrial {
 
   ContractTrial(final Object3DContract contract, final String law) {
     this.contract = contract;
-    shape = contract.shape(Placement.MODEL);
+    shape = contract.shape(RandomPlacement.MODEL);
     numbers = new RandomNumbers(law);
     size = contract.size();
     centre = contract.centre();
@@ -169,7 +169,7 @@ final class ContractTrial {
   }
 
   /** That two hits of a placed shape agree with each other and with that of the shape where it was at first. */
-  void assertAgree(final Placement at, final Hit placed, final Hit transformed, final Hit hit) {
+  void assertAgree(final RandomPlacement at, final Hit placed, final Hit transformed, final Hit hit) {
     assertEquals(hit.hits(), placed.hits(), () -> "placed at " + at);
     assertEquals(hit.hits(), transformed.hits(), () -> "transformed to " + at);
     if (!hit.hits()) {

@@ -21,7 +21,7 @@ class CylinderTest implements Object3DContract {
   private static final Cylinder UPRIGHT = new Cylinder(new Point3D(), new Vector3D(0, 0, 7), 5, 4, Color.RED);
 
   @Override
-  public Object3D shape(final Placement at) {
+  public Object3D shape(final RandomPlacement at) {
     return new Cylinder(at.point(1, 1, -0.5), at.direction(1, 2, 2), at.length(1.5f), at.length(4), Color.RED);
   }
 

@@ -18,7 +18,7 @@ import tracer.Ray;
 class EllipsoidContractTest implements Object3DContract {
 
   @Override
-  public Object3D shape(final Placement at) {
+  public Object3D shape(final RandomPlacement at) {
     return new Ellipsoid(at.point(1, 1, -2), at.direction(2, 2, 1), at.direction(-2, 1, 0), at.length(3), at.length(1),
         at.length(1.5f), Color.RED);
   }

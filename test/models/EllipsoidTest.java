@@ -30,7 +30,7 @@ class EllipsoidTest implements Object3DContract {
   private static final Ellipsoid EGG = new Ellipsoid(O, X, Y, 5, 10, 2, Color.RED);
 
   @Override
-  public Object3D shape(final Placement at) {
+  public Object3D shape(final RandomPlacement at) {
     return new Ellipsoid(at.point(1, -2, 3), at.direction(0, 3, 4), at.direction(1, 0, 0), at.length(2), at.length(0.5f),
         at.length(1), Color.RED);
   }

@@ -29,7 +29,7 @@ class Group3DTest implements Object3DContract {
 
   /** Two balls that touch, in a group within a group; of their union the answers are those of one solid. */
   @Override
-  public Object3D shape(final Placement at) {
+  public Object3D shape(final RandomPlacement at) {
     final Group3D inner = new Group3D(), group = new Group3D();
     inner.addObject(new Sphere(at.point(-2, 0, 0), at.length(2), Color.RED));
     group.addObject(inner);

@@ -55,12 +55,12 @@ class LookingInsideTest {
     final Ball ball = new Ball(1);
     final double t = ball.intersectionWith(ALONG_Z).getT();
     final List<Double> asked = List.copyOf(ball.asked);
-    final March march = March.of(ball, ALONG_Z).orElseThrow();
-    assertEquals(March.End.REACHED, march.end());
+    final SphereTrace march = SphereTrace.of(ball, ALONG_Z).orElseThrow();
+    assertEquals(SphereTrace.End.REACHED, march.end());
     assertEquals(t, march.t(), 1e-6);
     assertTrue(march.steps().size() > 1);
     int at = 0;
-    for (final March.Step step : march.steps()) {
+    for (final SphereTrace.Step step : march.steps()) {
       while (at < asked.size() && Math.abs(asked.get(at) - step.t()) > 1e-5) {
         at++;
       }
@@ -81,14 +81,14 @@ class LookingInsideTest {
   @Test
   void aMarchTellsWhyItEnded() {
     final Ray past = new Ray(new Point3D(0, 3, 5), new Vector3D(0, 0, -1));
-    assertEquals(March.End.PASSED, March.of(new Ball(1), past).orElseThrow().end());
+    assertEquals(SphereTrace.End.PASSED, SphereTrace.of(new Ball(1), past).orElseThrow().end());
     final Ball undefined = new Ball(1) {
       @Override
       protected float SDF(final Point3D P) {
         return Float.NaN;
       }
     };
-    assertEquals(March.End.UNDEFINED, March.of(undefined, ALONG_Z).orElseThrow().end());
+    assertEquals(SphereTrace.End.UNDEFINED, SphereTrace.of(undefined, ALONG_Z).orElseThrow().end());
     final Ball endless = new Ball(1) {
       @Override
       protected float SDF(final Point3D P) {
@@ -100,9 +100,9 @@ class LookingInsideTest {
         return Float.POSITIVE_INFINITY;
       }
     };
-    assertEquals(March.End.GIVEN_UP, March.of(endless, ALONG_Z).orElseThrow().end());
-    assertTrue(March.of(new Sphere(new Point3D(), 1, Color.RED), ALONG_Z).isEmpty());
-    assertTrue(March.of(new Ball(1), Ray.NORAY).isEmpty());
+    assertEquals(SphereTrace.End.GIVEN_UP, SphereTrace.of(endless, ALONG_Z).orElseThrow().end());
+    assertTrue(SphereTrace.of(new Sphere(new Point3D(), 1, Color.RED), ALONG_Z).isEmpty());
+    assertTrue(SphereTrace.of(new Ball(1), Ray.NORAY).isEmpty());
   }
 
   @Test
@@ -115,8 +115,8 @@ class LookingInsideTest {
         final Ray ray = new Ray(new Point3D(i % 20 * 0.15f - 1.4f, i / 20 * 0.15f - 1.4f, 5),
             new Vector3D(0.02f, 0.01f, -1));
         final Hit hit = object.intersectionWith(ray);
-        final March march = March.of(object, ray).orElseThrow();
-        assertEquals(hit.hits(), march.end() == March.End.REACHED, ray::toString);
+        final SphereTrace march = SphereTrace.of(object, ray).orElseThrow();
+        assertEquals(hit.hits(), march.end() == SphereTrace.End.REACHED, ray::toString);
         if (hit.hits()) {
           assertEquals(hit.getT(), march.t(), 1e-5);
           hits++;

@@ -28,7 +28,7 @@ import tracer.Ray;
  *
  * <pre>{@code
  * class BallTest implements Object3DContract {
- *   public Object3D shape(Placement at) {
+ *   public Object3D shape(RandomPlacement at) {
  *     return new Sphere(at.point(1, 2, 3), at.length(4), Color.RED);
  *   }
  *
@@ -52,13 +52,13 @@ public interface Object3DContract {
    * @param at where to put it
    * @return a new shape
    */
-  Object3D shape(Placement at);
+  Object3D shape(RandomPlacement at);
 
   /**
    * Distance of a point from the shape's surface, computed straightforwardly, or anything else with its sign whose slope at
    * the surface is about 1.
    *
-   * @param x first coordinate of the point, in the model's frame (where {@link Placement#MODEL} leaves the shape)
+   * @param x first coordinate of the point, in the model's frame (where {@link RandomPlacement#MODEL} leaves the shape)
    * @param y second coordinate
    * @param z third coordinate
    * @return negative inside, positive outside; of a surface without inside, negative on the side that its normal leaves
@@ -89,7 +89,7 @@ public interface Object3DContract {
    * @return that of its box, or 4 if it has none
    */
   default double size() {
-    final BoundingBox box = shape(Placement.MODEL).getBoundingBox();
+    final BoundingBox box = shape(RandomPlacement.MODEL).getBoundingBox();
     return !box.isFinite() ? 4
         : Math.max(box.maxX() - box.minX(), Math.max(box.maxY() - box.minY(), box.maxZ() - box.minZ()));
   }
@@ -100,7 +100,7 @@ public interface Object3DContract {
    * @return that of its box, or the origin if it has none
    */
   default Point3D centre() {
-    final BoundingBox box = shape(Placement.MODEL).getBoundingBox();
+    final BoundingBox box = shape(RandomPlacement.MODEL).getBoundingBox();
     final Point3D centre = new Point3D();
     if (box.isFinite()) {
       centre.interpolate(box.getMin(), box.getMax(), 0.5f);
@@ -176,7 +176,7 @@ public interface Object3DContract {
   /** A hit's point is in the box, and a ray that passes the box by is a miss. */
   @Test
   default void theBoxContainsEveryHit() {
-    final BoundingBox box = shape(Placement.MODEL).getBoundingBox();
+    final BoundingBox box = shape(RandomPlacement.MODEL).getBoundingBox();
     new ContractTrial(this, "box").all((ray, hit) -> {
       final boolean crosses = box.isCrossedBy(ray.startX(), ray.startY(), ray.startZ(),
           ray.directionX(), ray.directionY(), ray.directionZ());
@@ -189,7 +189,7 @@ public interface Object3DContract {
   @Test
   default void scalingByAPowerOfTwoScalesTheHitExactly() {
     for (final float factor : new float[] {0x1p20f, 0x1p-20f}) {
-      final Object3D scaled = shape(Placement.scaled(factor));
+      final Object3D scaled = shape(RandomPlacement.scaled(factor));
       new ContractTrial(this, "scaling").all((ray, hit) -> {
         final Hit scaledHit = scaled.intersectionWith(Ray.exactly(factor * ray.startX(), factor * ray.startY(),
             factor * ray.startZ(), ray.directionX(), ray.directionY(), ray.directionZ()));
@@ -202,9 +202,9 @@ public interface Object3DContract {
   /** A shape in an {@link AffineTransformation} agrees with one that was built in the place to which that takes it. */
   @Test
   default void theTransformedShapeAgreesWithOnePlacedSo() {
-    for (final Placement at : ContractTrial.PLACEMENTS) {
+    for (final RandomPlacement at : ContractTrial.PLACEMENTS) {
       final ContractTrial trial = new ContractTrial(this, "transformation");
-      final Object3D placed = shape(at), transformed = at.transformed(shape(Placement.MODEL));
+      final Object3D placed = shape(at), transformed = at.transformed(shape(RandomPlacement.MODEL));
       final int[] compared = {0};
       trial.all((ray, hit) -> {
         if (trial.isSound(ray, hit)) {
@@ -267,13 +267,13 @@ public interface Object3DContract {
   /** The absence of a ray hits nothing. */
   @Test
   default void theAbsentRayMisses() {
-    assertSame(Hit.NOHIT, shape(Placement.MODEL).intersectionWith(Ray.NORAY));
+    assertSame(Hit.NOHIT, shape(RandomPlacement.MODEL).intersectionWith(Ray.NORAY));
   }
 
   /** Rays of numbers that are none, or infinite, hit nothing, and the search for a hit ends. */
   @Test
   default void raysThatAreNotFiniteMiss() {
-    final Object3D shape = shape(Placement.MODEL);
+    final Object3D shape = shape(RandomPlacement.MODEL);
     for (final double wrong : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
       for (int i = 0; i < 6; i++) {
         final double[] r = {0.1, 0.2, 0.3, 0.48, 0.6, 0.64};
@@ -287,7 +287,7 @@ public interface Object3DContract {
   /** No ray at all is a wrong argument. */
   @Test
   default void nullIsNoRay() {
-    final Object3D shape = shape(Placement.MODEL);
+    final Object3D shape = shape(RandomPlacement.MODEL);
     final String message = assertThrows(IllegalArgumentException.class, () -> shape.intersectionWith(null)).getMessage();
     assertTrue(message.contains("ray"), message);
   }

@@ -20,7 +20,7 @@ class PlaneTest implements Object3DContract {
   private static final Plane FLOOR = new Plane(new Point3D(7, -1, 9), new Vector3D(0, 3, 0), Color.GREEN);
 
   @Override
-  public Object3D shape(final Placement at) {
+  public Object3D shape(final RandomPlacement at) {
     return new Plane(at.point(0.5, 0.25, -1), at.direction(1, -2, 2), Color.GREEN);
   }
 

@@ -20,7 +20,7 @@ class SphereTest implements Object3DContract {
   private static final Sphere SPHERE = new Sphere(new Point3D(0, 0, 0), 5, Color.RED);
 
   @Override
-  public Object3D shape(final Placement at) {
+  public Object3D shape(final RandomPlacement at) {
     return new Sphere(at.point(1, -2, 3), at.length(2.5f), Color.RED);
   }
 

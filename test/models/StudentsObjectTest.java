@@ -32,7 +32,7 @@ class StudentsObjectTest implements Object3DContract {
   private static final Cone CONE = new Cone(new Point3D(), new Vector3D(0, 1, 0), 3, 4, Color.ORANGE);
 
   @Override
-  public Object3D shape(final Placement at) {
+  public Object3D shape(final RandomPlacement at) {
     return new Cone(at.point(1, -1, 0.5), at.direction(0, 0.6, 0.8), at.length(1.5f), at.length(2), Color.ORANGE);
   }
 

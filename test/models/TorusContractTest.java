@@ -6,7 +6,7 @@ import java.awt.Color;
 class TorusContractTest implements Object3DContract {
 
   @Override
-  public Object3D shape(final Placement at) {
+  public Object3D shape(final RandomPlacement at) {
     return new Torus(at.point(-1, 2, 0.5), at.direction(1, 2, 2), at.length(2), at.length(0.75f), Color.RED);
   }
 

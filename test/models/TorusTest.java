@@ -34,7 +34,7 @@ class TorusTest implements Object3DContract {
   private static final Torus APPLE = new Torus(O, Y, 3, 5, Color.RED);
 
   @Override
-  public Object3D shape(final Placement at) {
+  public Object3D shape(final RandomPlacement at) {
     return new Torus(at.point(1, -2, 3), at.direction(1, 2, -0.5f), at.length(2), at.length(0.75f), Color.RED);
   }
 

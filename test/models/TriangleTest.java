@@ -22,7 +22,7 @@ class TriangleTest implements Object3DContract {
       new Triangle(new Point3D(0, 0, 2), new Point3D(3, 0, 2), new Point3D(0, 4, 2), Color.BLUE);
 
   @Override
-  public Object3D shape(final Placement at) {
+  public Object3D shape(final RandomPlacement at) {
     return new Triangle(at.point(1, 0, -1), at.point(-1, 2, 0), at.point(0, -1.5, 2), Color.BLUE);
   }
 

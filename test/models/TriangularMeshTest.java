@@ -40,7 +40,7 @@ class TriangularMeshTest implements Object3DContract {
 
   /** A closed mesh, the cube from −1 to 1. */
   @Override
-  public Object3D shape(final Placement at) {
+  public Object3D shape(final RandomPlacement at) {
     final ClosedMesh cube = ClosedMesh.cube();
     final Map<Integer, Point3D> vertices = new HashMap<>();
     final List<String> facets = new ArrayList<>();

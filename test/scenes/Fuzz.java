@@ -12,6 +12,8 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
+import diagnostics.Problem;
+import meshes.ObjReader;
 import scenes.Mutations.Kind;
 import tracer.Hit;
 import tracer.RayGenerator;
@@ -91,17 +93,17 @@ final class Fuzz implements AutoCloseable {
   }
 
   private static String ofScene(final Path file, final byte[] bytes) {
-    final Reading reading = SceneReader.read(file);
+    final ReadResult reading = SceneReader.read(file);
     final String finding = ofProblems(reading.problems(), reading.scene().isPresent(), file, bytes);
     return finding != null || reading.scene().isEmpty() ? finding : ofRays(reading.scene().get());
   }
 
   private static String ofMesh(final Path file, final byte[] bytes) {
-    final ObjReader.Reading reading = new ObjReader(file).read();
+    final ObjReader.Result reading = new ObjReader(file).read();
     return ofProblems(reading.problems(), reading.mesh() != null, file, bytes);
   }
 
-  private static String ofRays(final Scene scene) {
+  private static String ofRays(final SceneFile scene) {
     final RayGenerator rays = scene.camera().getRayGenerator(W, H);
     for (int i = 0; i < W * H; i++) {
       final Hit hit = scene.objects().intersectionWith(rays.getRay(i % W, i / W));

@@ -32,7 +32,7 @@ class MarkupReaderTest {
     return new Problems(new SourceText("f", text));
   }
 
-  private static Element read(final String text) throws Malformed {
+  private static Element read(final String text) throws XmlSyntaxException {
     final Problems problems = problems(text);
     final Element root = new MarkupReader(problems).read();
     assertEquals("[]", problems.inFileOrder().toString());
@@ -40,7 +40,7 @@ class MarkupReaderTest {
   }
 
   @Test
-  void everyThingKnowsItsPlace() throws Malformed {
+  void everyThingKnowsItsPlace() throws XmlSyntaxException {
     final String text = "<?xml version='1.0'?>\n<a  b = \"x&amp;y\" c='2'><!-- no --> t <d/><e>\n 5 </e></a>\n<!-- end -->";
     final Element root = read(text);
     assertEquals("a", root.name());
@@ -73,7 +73,7 @@ class MarkupReaderTest {
     "<!ENTITY x>|1:1: `<!ENTITY` is refused: a scene file has no document type and no entities of its own"})
   void whatBreaksTheStructureEndsTheReading(final String text, final String message) {
     final Problems problems = problems(text);
-    final Malformed malformed = assertThrows(Malformed.class, () -> new MarkupReader(problems).read());
+    final XmlSyntaxException malformed = assertThrows(XmlSyntaxException.class, () -> new MarkupReader(problems).read());
     assertEquals(message, problems.source().line(malformed.offset()) + ":"
         + problems.source().column(malformed.offset()) + ": "
         + malformed.getMessage());
@@ -91,18 +91,18 @@ class MarkupReaderTest {
     " <?xml version='1.0'?><a/>|f:1:2: the XML declaration `<?xml ...?>` must be the very first thing in the file, "
         + "without anything "
         + "before it"})
-  void otherSlipsAreToldAndPassedOver(final String text, final String first) throws Malformed {
+  void otherSlipsAreToldAndPassedOver(final String text, final String first) throws XmlSyntaxException {
     final Problems problems = problems(text.startsWith("<?") ? " " + text : text);
     assertEquals("a", new MarkupReader(problems).read().name());
     assertEquals(first, problems.inFileOrder().get(0).toString());
   }
 
   @Test
-  void depthHasALimit() throws Malformed {
+  void depthHasALimit() throws XmlSyntaxException {
     final int depth = MarkupReader.DEEPEST;
     read("<a>".repeat(depth) + "</a>".repeat(depth));
-    assertThrows(Malformed.class, () -> read("<a>".repeat(depth + 1) + "</a>".repeat(depth + 1)));
-    assertThrows(Malformed.class, () -> read("<a>".repeat(1_000_000)));
+    assertThrows(XmlSyntaxException.class, () -> read("<a>".repeat(depth + 1) + "</a>".repeat(depth + 1)));
+    assertThrows(XmlSyntaxException.class, () -> read("<a>".repeat(1_000_000)));
   }
 
   /** The reader of the JDK is the oracle: both accept a file, and see the same in it, or neither does. */
@@ -175,7 +175,7 @@ class MarkupReaderTest {
       final StringBuilder seen = new StringBuilder();
       describe(root, seen);
       return problems.hasErrors() ? "refused" : seen.toString();
-    } catch (final Malformed wrong) {
+    } catch (final XmlSyntaxException wrong) {
       return "refused";
     }
   }

@@ -32,7 +32,7 @@ class PlacementTest {
   Path folder;
 
   /** The placement that the elements of an object give. */
-  private static Placement placement(final String elements) throws Malformed {
+  private static Placement placement(final String elements) throws XmlSyntaxException {
     final Problems problems = new Problems(new SourceText("f", "<object>" + elements + "</object>"));
     final MarkupReader markup = new MarkupReader(problems);
     final Element object = markup.read();
@@ -80,7 +80,7 @@ class PlacementTest {
   }
 
   @Test
-  void firstMainVectorAndFirstAuxiliaryOfItsPairCount() throws Malformed {
+  void firstMainVectorAndFirstAuxiliaryOfItsPairCount() throws XmlSyntaxException {
     final String all = "<kVector>0 1 0</kVector><jVector>1 1 1</jVector><iVector>0 0 -1</iVector>"
         + "<kauxVector>0 1 0</kauxVector><jauxVector>0 1 0</jauxVector>";
     final Placement placement = placement(all);
@@ -89,7 +89,7 @@ class PlacementTest {
   }
 
   @Test
-  void scaleThenAimingThenRotationThenTranslation() throws Malformed {
+  void scaleThenAimingThenRotationThenTranslation() throws XmlSyntaxException {
     final Placement placement = placement("<translation>10 0 0</translation><rotationAngle>90</rotationAngle>"
         + "<iVector>0 1 0</iVector><jauxVector>-1 0 0</jauxVector>");
     final Point3D p = placement.point(2, 0, 0);
@@ -102,7 +102,7 @@ class PlacementTest {
   }
 
   @Test
-  void nothingGivenIsNothingDone() throws Malformed {
+  void nothingGivenIsNothingDone() throws XmlSyntaxException {
     final Object3D sphere = new Sphere(new Point3D(), 1, Color.RED);
     assertSame(sphere, placement("").applied(sphere));
     assertSame(sphere, placement("<rotationAngle>0</rotationAngle><rotationAxis>0 0 0</rotationAxis><scaleFactors>1 1 "
@@ -115,8 +115,8 @@ class PlacementTest {
   @Test
   void oneAxisAndAngleStandForBothTurns() {
     Trials.of(3000, random -> {
-      final Turn first = turn(random), second = turn(random);
-      final Turn both = second.after(first);
+      final Rotation first = turn(random), second = turn(random);
+      final Rotation both = second.after(first);
       final Matrix3d product = new Matrix3d();
       product.mul(second.matrix(), first.matrix());
       assertTrue(product.epsilonEquals(both.matrix(), 1e-15));
@@ -126,11 +126,11 @@ class PlacementTest {
     });
   }
 
-  private static Turn turn(final Random random) {
+  private static Rotation turn(final Random random) {
     final float[] axis = {random.nextInt(3) - 1, random.nextInt(3) - 1, 1};
     final double near = Math.pow(10, -8 * random.nextDouble()) * (random.nextBoolean() ? 1 : -1);
     final float degrees = (float) (random.nextInt(5) * 90 - 180 + (random.nextBoolean() ? near : 0));
-    return Turn.about(random.nextBoolean() ? axis : new float[] {0, 1, 0},
+    return Rotation.about(random.nextBoolean() ? axis : new float[] {0, 1, 0},
         random.nextInt(4) == 0 ? random.nextFloat() * 360 : degrees);
   }
 
@@ -181,7 +181,7 @@ class PlacementTest {
     final SceneFiles files = new SceneFiles(folder);
     files.write("t.obj", "v 0 -9 -9\nv 0 9 -9\nv 0 0 9\nf 1 2 3\nf 1 1 2\n");
     final String object = "</object><object><modelId>ball</modelId><color>%s</color><translation>%d 0 0</translation>";
-    final Reading reading = files.read(SceneFiles.SOUND.replace("type=\"sphere\"", "type=\"mesh\"")
+    final ReadResult reading = files.read(SceneFiles.SOUND.replace("type=\"sphere\"", "type=\"mesh\"")
         .replace("<radius>1</radius>", "<objFile>t.obj</objFile>").replace("</color>", "</color>"
             + String.format(object, "0 0 1", 2)
             + String.format(object, "0 0 1", 4)));
@@ -197,7 +197,7 @@ class PlacementTest {
   private static Object3D object(final SceneFiles files, final String type, final String values, final String placement) {
     final String text = SceneFiles.SOUND.replace("<model id=\"ball\" type=\"sphere\">\n      <radius>1</radius>",
         "<model id=\"ball\" type=\"" + type + "\">\n      " + values).replace("</color>", "</color>" + placement);
-    final Reading reading = files.read(text);
+    final ReadResult reading = files.read(text);
     assertEquals("[]", reading.problems().toString());
     return reading.scene().orElseThrow().objects();
   }

@@ -42,11 +42,11 @@ class QuirksTest {
     files = new SceneFiles(folder);
   }
 
-  private static void assertProblems(final Reading reading, final String... lines) {
+  private static void assertProblems(final ReadResult reading, final String... lines) {
     assertEquals(List.of(lines), SceneFiles.lines(reading));
   }
 
-  private static Color colour(final Reading reading) {
+  private static Color colour(final ReadResult reading) {
     final Ray ray = new Ray(new Point3D(0, 0, 5), new Vector3D(0, 0, -1));
     return reading.scene().orElseThrow().objects().intersectionWith(ray).getObject().getColor();
   }
@@ -108,12 +108,12 @@ class QuirksTest {
   void q5AppearanceAgainstEngine() {
     final String material = SceneFiles.with("<scene>", MATERIAL + "<scene>").replace("<color>255 0 0</color>",
         "<materialId>m</materialId>");
-    final Reading fallback = files.read(material);
+    final ReadResult fallback = files.read(material);
     assertProblems(fallback, "30:3: " + NO_EFFECT, "33:19: warning: a material has no effect without illumination: "
         + "the object shows "
         + "the sum of its reflectances; expected a `color`");
     assertEquals(new Color(255, 0, 102), colour(fallback));
-    final Reading lit = files.read(material.replace(UNLIT, LIT).replace("<scene>", LIGHT + "<scene>"));
+    final ReadResult lit = files.read(material.replace(UNLIT, LIT).replace("<scene>", LIGHT + "<scene>"));
     assertTrue(lit.scene().orElseThrow().facing());
     assertEquals(new Color(255, 0, 102), colour(lit));
     assertProblems(files.read(material.replace(UNLIT, LIT)), "14:19: there is no light: with illumination expected an "
@@ -130,7 +130,7 @@ class QuirksTest {
 
   @Test
   void q5AColourCountsBeforeAMaterialWithoutIllumination() {
-    final Reading reading = files.read(SceneFiles.with("<scene>", MATERIAL + "<scene>").replace("<color>255 0 0</color>",
+    final ReadResult reading = files.read(SceneFiles.with("<scene>", MATERIAL + "<scene>").replace("<color>255 0 0</color>",
         "<color>0 255 0</color><materialId>m</materialId>"));
     assertProblems(reading, "30:3: " + NO_EFFECT);
     assertEquals(Color.GREEN, colour(reading));
@@ -150,7 +150,7 @@ class QuirksTest {
 
   @Test
   void q7AimingTakesTheAxesOfTheModelAlongTheVectors() {
-    final Reading box = files.read(SceneFiles.with("type=\"sphere\"", "type=\"box\"").replace("<radius>1</radius>",
+    final ReadResult box = files.read(SceneFiles.with("type=\"sphere\"", "type=\"box\"").replace("<radius>1</radius>",
         "<width>4</width><height>1</height><depth>1</depth>").replace("</color>",
         "</color><iVector>1 0 -1</iVector><jauxVector>0 1 0</jauxVector>"));
     assertProblems(box);
@@ -160,7 +160,7 @@ class QuirksTest {
 
   @Test
   void q8FourthNumber() {
-    final Reading reading = files.readPlaced("<translation>0.0 0 1 .0</translation>");
+    final ReadResult reading = files.readPlaced("<translation>0.0 0 1 .0</translation>");
     assertProblems(reading, "34:22: warning: `translation` has more than three numbers: `.0` and what follows is ignored");
     final Ray ray = new Ray(new Point3D(0, 0, 5), new Vector3D(0, 0, -1));
     assertEquals(3, reading.scene().orElseThrow().objects().intersectionWith(ray).getT(), 1e-6);
@@ -200,7 +200,7 @@ class QuirksTest {
     "255 1 0, 255, 1, 0, true", "2 0 0, 2, 0, 0, false", "1.001 0 0, 1, 0, 0, false", "200 125 0.5, 200, 125, 1, true",
     "0.5 0.002 0, 128, 1, 0, false", "127.5 0 254.49, 128, 0, 254, false"})
   void q11Colours(final String text, final int red, final int green, final int blue, final boolean mixed) {
-    final Reading reading = files.readWith("255 0 0", text);
+    final ReadResult reading = files.readWith("255 0 0", text);
     assertEquals(new Color(red, green, blue), colour(reading));
     assertEquals(mixed, reading.problems().size() == 1);
     if (mixed) {
@@ -239,7 +239,7 @@ class QuirksTest {
   @ParameterizedTest
   @ValueSource(strings = {"0.5f", "1d", "0x1p0", "NaN", "Infinity", "1,5", "1e", "e1", ".", "+-1", "1e99", "--1", "1.2.3"})
   void numbersAreDecimal(final String text) {
-    final Reading reading = files.readWith("<radius>1", "<radius>" + text);
+    final ReadResult reading = files.readWith("<radius>1", "<radius>" + text);
     assertEquals(1, reading.problems().size());
     assertTrue(reading.problems().get(0).message().contains("found `" + text + "`"), reading.problems().toString());
   }
@@ -300,7 +300,7 @@ class QuirksTest {
     "</color>|</color><iVector>1 2 3</iVector><kauxVector>2 4 6</kauxVector>", "</color>|</color><jVector>1 2 3</jVector>",
     "</illumination>|</illumination><recursionDepth>-1</recursionDepth>"})
   void q16ValuesThatDescribeNothing(final String part, final String other) {
-    final Reading reading = files.readWith(part, other);
+    final ReadResult reading = files.readWith(part, other);
     assertEquals(1, reading.problems().size(), reading.problems().toString());
     assertTrue(reading.problems().get(0).isError());
   }
@@ -312,7 +312,7 @@ class QuirksTest {
     "torus|<rotationalRadius>-1</rotationalRadius><circunferenceRadius>1</circunferenceRadius>",
     "ellipsoid|<a>1</a><b>0</b><c>1</c>"})
   void q16ModelsThatDescribeNothing(final String type, final String values) {
-    final Reading reading = files.readModel(type, values);
+    final ReadResult reading = files.readModel(type, values);
     assertEquals(1, reading.problems().size(), reading.problems().toString());
     assertTrue(reading.problems().get(0).isError());
   }
@@ -364,7 +364,8 @@ class QuirksTest {
   @Test
   void q21TheFishEyeHasNoRayOutsideItsCircle() {
     for (final int fov : new int[] {90, 180}) {
-      final Scene scene = files.readWith("<projection type=\"perspective\">\n    <fov>60</fov>\n    <aspect>1.3333</aspect>",
+      final SceneFile scene =
+          files.readWith("<projection type=\"perspective\">\n    <fov>60</fov>\n    <aspect>1.3333</aspect>",
           "<projection type=\"angular\">\n    <fov>" + fov + "</fov>").scene().orElseThrow();
       assertSame(Ray.NORAY, scene.camera().getRayGenerator(100, 100).getRay(0, 0));
       assertSame(Ray.NORAY, scene.camera().getRayGenerator(100, 100).getRay(99, 90));

@@ -9,8 +9,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
+import diagnostics.Problem;
+
 /** Scene files for tests: a small sound one, and what becomes of it when parts are replaced. */
-final class SceneFiles {
+public final class SceneFiles {
 
   /** A sphere of radius 1 at the origin, seen from (0, 0, 5). */
   static final String SOUND = """
@@ -54,20 +56,20 @@ final class SceneFiles {
 
   private final Path folder;
 
-  SceneFiles(final Path folder) {
+  public SceneFiles(final Path folder) {
     this.folder = folder;
   }
 
-  Path folder() {
+  public Path folder() {
     return folder;
   }
 
   /** Writes a file. */
-  Path write(final String name, final String text) {
+  public Path write(final String name, final String text) {
     return write(name, text.getBytes(StandardCharsets.UTF_8));
   }
 
-  Path write(final String name, final byte[] bytes) {
+  public Path write(final String name, final byte[] bytes) {
     try {
       final Path file = folder.resolve(name);
       Files.createDirectories(file.getParent());
@@ -78,12 +80,12 @@ final class SceneFiles {
   }
 
   /** Reads a scene, given its text. */
-  Reading read(final String text) {
+  ReadResult read(final String text) {
     return SceneReader.read(write("scene.xml", text));
   }
 
   /** Reads the sound scene with a part of it replaced by another, which must be there. */
-  Reading readWith(final String part, final String other) {
+  ReadResult readWith(final String part, final String other) {
     return read(with(part, other));
   }
 
@@ -95,18 +97,18 @@ final class SceneFiles {
   }
 
   /** The sound scene with another model of the id "ball". */
-  Reading readModel(final String type, final String values) {
+  ReadResult readModel(final String type, final String values) {
     return readWith("<model id=\"ball\" type=\"sphere\">\n      <radius>1</radius>",
         "<model id=\"ball\" type=\"" + type + "\">\n      " + values);
   }
 
   /** The sound scene with more in its object. */
-  Reading readPlaced(final String values) {
+  ReadResult readPlaced(final String values) {
     return readWith("<color>255 0 0</color>", "<color>255 0 0</color>\n" + values);
   }
 
   /** The problems as lines, without the name of the file: {@code LINE:COLUMN: message}. */
-  static List<String> lines(final Reading reading) {
+  static List<String> lines(final ReadResult reading) {
     return reading.problems().stream().map(SceneFiles::line).collect(Collectors.toList());
   }
 

@@ -13,6 +13,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 
+import diagnostics.Problem;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -21,7 +22,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-
 import primitives.Point3D;
 import primitives.Vector3D;
 import tracer.Hit;
@@ -39,7 +39,7 @@ class SceneReaderTest {
     files = new SceneFiles(folder);
   }
 
-  private void assertProblems(final Reading reading, final String... lines) {
+  private void assertProblems(final ReadResult reading, final String... lines) {
     assertEquals(List.of(lines), SceneFiles.lines(reading));
     final boolean error = reading.problems().stream().anyMatch(Problem::isError);
     assertEquals(error, reading.scene().isEmpty());
@@ -47,9 +47,9 @@ class SceneReaderTest {
 
   @Test
   void aSoundSceneIsReadWithoutAWord() {
-    final Reading reading = files.read(SceneFiles.SOUND);
+    final ReadResult reading = files.read(SceneFiles.SOUND);
     assertProblems(reading);
-    final Scene scene = reading.scene().orElseThrow();
+    final SceneFile scene = reading.scene().orElseThrow();
     assertEquals("a ball", scene.name());
     assertEquals(40, scene.width());
     assertEquals(30, scene.height());
@@ -73,7 +73,7 @@ class SceneReaderTest {
 
   @Test
   void orthographicAspectIsWidthByHeight() {
-    final Scene scene = files.readWith("<projection type=\"perspective\">\n    <fov>60</fov>",
+    final SceneFile scene = files.readWith("<projection type=\"perspective\">\n    <fov>60</fov>",
         "<projection type=\"orthographic\">\n    <height>3</height>").scene().orElseThrow();
     assertEquals(3, scene.camera().getProjection().getHeight(), 1e-6);
     assertEquals(4, scene.camera().getProjection().getWidth(), 1e-3);
@@ -120,7 +120,8 @@ class SceneReaderTest {
     for (int i = 0; i < 100_000; i++) {
       many.append(text.replace("ID", Integer.toString(i)));
     }
-    final Reading reading = assertTimeoutPreemptively(Duration.ofSeconds(20), () -> files.read(many + "</scene></image>"));
+    final ReadResult reading = assertTimeoutPreemptively(Duration.ofSeconds(20), () -> files.read(many
+        + "</scene></image>"));
     assertTrue(reading.scene().isEmpty());
     assertEquals(Problems.MOST + 1, reading.problems().size());
     final Problem last = reading.problems().get(Problems.MOST);
@@ -145,7 +146,7 @@ class SceneReaderTest {
 
   @Test
   void warningsAreNoErrorsHoweverMany() {
-    final Reading reading = files.readWith("<raster>", "<x/>".repeat(2 * Problems.MOST) + "<raster>");
+    final ReadResult reading = files.readWith("<raster>", "<x/>".repeat(2 * Problems.MOST) + "<raster>");
     assertTrue(reading.scene().isPresent());
     assertEquals("3:4003: warning: further problems that are not told: " + Problems.MOST,
         reading.problems().get(Problems.MOST).toString().replaceFirst("^[^:]*:", ""));
@@ -178,14 +179,14 @@ class SceneReaderTest {
 
   @Test
   void repeatedValuesCountOnce() {
-    final Reading reading = files.readWith("<W>40</W>", "<W>40</W> <W>50</W>");
+    final ReadResult reading = files.readWith("<W>40</W>", "<W>40</W> <W>50</W>");
     assertProblems(reading, "4:15: warning: a second `W` in `raster` is ignored: the one of line 4 counts");
     assertEquals(40, reading.scene().orElseThrow().width());
   }
 
   @Test
   void wrappersAreHarmlessButTold() {
-    final Reading reading = files.readWith("<radius>1</radius>", "<size><radius>1</radius></size>");
+    final ReadResult reading = files.readWith("<radius>1</radius>", "<size><radius>1</radius></size>");
     assertProblems(reading, "27:7: warning: unknown element `size` in `model`.");
   }
 
@@ -211,7 +212,7 @@ class SceneReaderTest {
 
   @Test
   void aLaterModelOfTheSameIdCounts() {
-    final Reading reading = files.readWith("</models>",
+    final ReadResult reading = files.readWith("</models>",
         "  <model id=\"ball\" type=\"sphere\"><radius>2</radius></model></models>");
     assertProblems(reading, "29:12: warning: a second `model` of id `ball`: the last one counts");
     final Ray ray = new Ray(new Point3D(0, 0, 5), new Vector3D(0, 0, -1));

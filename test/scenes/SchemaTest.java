@@ -78,7 +78,7 @@ class SchemaTest {
   /** Each name of the language has a documented element in the schema, and the schema has no others. */
   @Test
   void schemaAndReaderKnowTheSameNames() throws IOException {
-    final Set<String> known = new TreeSet<>(Vocabulary.names());
+    final Set<String> known = new TreeSet<>(SceneGrammar.names());
     known.add("image");
     known.add("center");
     known.add("attenuationExponent");
@@ -93,7 +93,7 @@ class SchemaTest {
 
   @Test
   void schemaAndReaderKnowTheSameTypesOfModels() throws IOException {
-    final Vocabulary vocabulary = new Vocabulary(new Problems(new SourceText("f", "")));
+    final SceneGrammar vocabulary = new SceneGrammar(new Problems(new SourceText("f", "")));
     final String text = Files.readString(FOLDER.resolve("scene.xsd"));
     for (final String element : new String[] {"model", "light"}) {
       final int from = text.indexOf("<xs:simpleType name=\"" + element + "Type\">");

@@ -10,15 +10,16 @@ import java.awt.image.BufferedImage;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicInteger;
 
+import models.Group3D;
+import models.Sphere;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-
-import models.Group3D;
-import models.Sphere;
 import primitives.Point3D;
 import primitives.Vector3D;
+import rendering.RenderSettings;
+import rendering.Shading;
 import view.Angular;
 import view.Camera;
 import view.Orthographic;
@@ -121,8 +122,9 @@ class ImageTest {
     final RandomScene scene = new RandomScene(random, 1, 40);
     final Camera camera = camera(new Perspective(50, 1.3f));
     final Image one = new Image(203, 157, BACKGROUND), several = new Image(203, 157, BACKGROUND);
-    assertTrue(one.synthesis(scene.scene, camera, Rendering.STANDARD.withThreads(1).withShading(Shading.FACING)));
-    assertTrue(several.synthesis(scene.scene, camera, Rendering.STANDARD.withThreads(threads).withShading(Shading.FACING)));
+    assertTrue(one.synthesis(scene.scene, camera, RenderSettings.STANDARD.withThreads(1).withShading(Shading.FACING)));
+    assertTrue(several.synthesis(scene.scene, camera,
+        RenderSettings.STANDARD.withThreads(threads).withShading(Shading.FACING)));
     assertArrayEquals(pixels(one), pixels(several));
   }
 
@@ -178,7 +180,7 @@ class ImageTest {
     final Camera camera = new Camera(new Point3D(3.2e38f, 0, 0), new Point3D(3.4e38f, 0, 0), new Vector3D(0, 1, 0));
     camera.setProjection(new Perspective(120, 1));
     final Image image = new Image(32, 32, BACKGROUND);
-    image.synthesis(scene, camera, Rendering.STANDARD.withShading(Shading.FACING));
+    image.synthesis(scene, camera, RenderSettings.STANDARD.withShading(Shading.FACING));
     assertArrayEquals(SingleRays.pixels(scene, camera, 32, 32, BACKGROUND.getRGB(), Shading.FACING), pixels(image));
   }
 
@@ -192,7 +194,7 @@ class ImageTest {
     final Image alone = new Image(90, 70, Color.BLUE), few = new Image(90, 70, Color.BLUE);
     alone.synthesis(scene, camera);
     final AtomicInteger threads = new AtomicInteger();
-    assertTrue(few.synthesis(scene, camera, Rendering.STANDARD.withThreads(9), work -> new Thread(work) {
+    assertTrue(few.synthesis(scene, camera, RenderSettings.STANDARD.withThreads(9), work -> new Thread(work) {
       @Override
       public synchronized void start() {
         if (threads.incrementAndGet() > 3) {

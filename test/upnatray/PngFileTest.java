@@ -13,6 +13,8 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+import arguments.Messages;
+
 class PngFileTest {
 
   private static BufferedImage image(final int type) {
@@ -40,11 +42,11 @@ class PngFileTest {
   @Test
   void whyAnImageCannotBeSavedIsTold(@TempDir final Path folder) throws Exception {
     final BufferedImage image = image(BufferedImage.TYPE_INT_ARGB);
-    final String message = assertThrows(FailedException.class, () -> PngFile.save(image, folder)).getMessage();
-    assertTrue(message.startsWith(folder.toString()) && message.endsWith(Messages.text("isFolder")), message);
+    final String message = assertThrows(SaveException.class, () -> PngFile.save(image, folder)).getMessage();
+    assertTrue(message.startsWith(folder.toString()) && message.endsWith(Messages.text("upnatray.isFolder")), message);
     final Path file = Files.createFile(folder.resolve("file"));
-    final String other = assertThrows(FailedException.class, () -> PngFile.save(image, file.resolve("a.png"))).getMessage();
-    assertTrue(other.endsWith(Messages.text("noFolder", file)), other);
+    final String other = assertThrows(SaveException.class, () -> PngFile.save(image, file.resolve("a.png"))).getMessage();
+    assertTrue(other.endsWith(Messages.text("upnatray.noFolder", file)), other);
     assertThrows(IllegalArgumentException.class, () -> PngFile.save(null, file));
     assertThrows(IllegalArgumentException.class, () -> PngFile.save(image, null));
   }

@@ -14,14 +14,16 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicIntegerArray;
 
+import models.Group3D;
+import models.Object3D;
 import org.junit.jupiter.api.Assertions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-
-import models.Group3D;
-import models.Object3D;
+import rendering.Progress;
+import rendering.RenderSettings;
+import rendering.Shading;
 import tracer.Hit;
 import tracer.Ray;
 import view.Camera;
@@ -32,8 +34,8 @@ class ProgressTest {
 
   private static final Camera CAMERA = ImageTest.camera(new Perspective(60, 1));
 
-  private static Rendering watched(final int threads, final Progress progress) {
-    return new Rendering(threads, Shading.PLAIN, progress);
+  private static RenderSettings watched(final int threads, final Progress progress) {
+    return new RenderSettings(threads, Shading.PLAIN, progress);
   }
 
   @ParameterizedTest

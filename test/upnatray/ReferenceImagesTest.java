@@ -20,9 +20,10 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-
-import scenes.Reading;
-import scenes.Scene;
+import rendering.RenderSettings;
+import rendering.Shading;
+import scenes.ReadResult;
+import scenes.SceneFile;
 import scenes.SceneReader;
 
 /**
@@ -50,12 +51,12 @@ class ReferenceImagesTest {
   }
 
   private static Image render(final String name) {
-    final Reading reading = SceneReader.read(SCENES.resolve(name + ".xml"));
-    final Scene scene = reading.scene().orElseThrow(() -> new AssertionError(reading.problems().toString()));
+    final ReadResult reading = SceneReader.read(SCENES.resolve(name + ".xml"));
+    final SceneFile scene = reading.scene().orElseThrow(() -> new AssertionError(reading.problems().toString()));
     final double scale = (double) LONGER_SIDE / Math.max(scene.width(), scene.height());
     final Image image = new Image((int) Math.max(1, Math.round(scale * scene.width())),
         (int) Math.max(1, Math.round(scale * scene.height())), scene.background());
-    final Rendering rendering = Rendering.STANDARD.withShading(scene.facing() ? Shading.FACING : Shading.PLAIN);
+    final RenderSettings rendering = RenderSettings.STANDARD.withShading(scene.facing() ? Shading.FACING : Shading.PLAIN);
     assertTrue(image.synthesis(scene.objects(), scene.camera(), rendering));
     return image;
   }
@@ -124,12 +125,13 @@ class ReferenceImagesTest {
   @ParameterizedTest
   @MethodSource("names")
   void everySceneHasThePixelsOfSingleRays(final String name) {
-    final Scene scene = SceneReader.read(SCENES.resolve(name + ".xml")).scene().orElseThrow();
+    final SceneFile scene = SceneReader.read(SCENES.resolve(name + ".xml")).scene().orElseThrow();
     final Image image = new Image(70, 50, scene.background());
     for (final Shading shading : List.of(Shading.PLAIN, Shading.FACING)) {
       final int[] expected = SingleRays.pixels(
           scene.objects(), scene.camera(), 70, 50, scene.background().getRGB(), shading);
-      assertTrue(image.synthesis(scene.objects(), scene.camera(), Rendering.STANDARD.withThreads(3).withShading(shading)));
+      assertTrue(image.synthesis(scene.objects(), scene.camera(),
+          RenderSettings.STANDARD.withThreads(3).withShading(shading)));
       assertArrayEquals(expected, ImageTest.pixels(image));
     }
   }

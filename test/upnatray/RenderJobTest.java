@@ -10,15 +10,19 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 
-import org.junit.jupiter.api.Test;
-
 import inspection.SampleScenes;
 import models.Cost;
 import models.Object3D;
 import models.Sphere;
+import org.junit.jupiter.api.Test;
 import primitives.Point3D;
 import primitives.Vector3D;
-import scenes.Scene;
+import rendering.ColourScale;
+import rendering.Progress;
+import rendering.RenderPass;
+import rendering.RenderSettings;
+import rendering.Shading;
+import scenes.SceneFile;
 import tracer.Hit;
 import tracer.Ray;
 import tracer.RayGenerator;
@@ -30,11 +34,11 @@ class RenderJobTest {
   private static final int W = 100;
   private static final int H = 80;
 
-  private static Scene everyShape() {
+  private static SceneFile everyShape() {
     return SampleScenes.of(new Perspective(45, 1.25f), true, SampleScenes.everyShape());
   }
 
-  private static RenderJob done(final Scene scene, final View view) {
+  private static RenderJob done(final SceneFile scene, final RenderPass view) {
     final RenderJob job = new RenderJob(scene, view, W, H, 2);
     assertTrue(job.run(Progress.NONE));
     return job;
@@ -42,10 +46,10 @@ class RenderJobTest {
 
   @Test
   void thePictureIsThatOfTheSynthesis() {
-    final Scene scene = everyShape();
+    final SceneFile scene = everyShape();
     final Image image = new Image(W, H, scene.background());
-    image.synthesis(scene.objects(), scene.camera(), Rendering.STANDARD.withShading(Shading.FACING));
-    final RenderJob job = done(scene, View.COLOUR);
+    image.synthesis(scene.objects(), scene.camera(), RenderSettings.STANDARD.withShading(Shading.FACING));
+    final RenderJob job = done(scene, RenderPass.COLOUR);
     for (int y = 0; y < H; y++) {
       for (int x = 0; x < W; x++) {
         assertEquals(image.getRGB(x, y), job.image().getRGB(x, y));
@@ -58,7 +62,7 @@ class RenderJobTest {
 
   @Test
   void aJobThatIsCancelledEndsEarly() {
-    final RenderJob job = new RenderJob(everyShape(), View.COLOUR, 640, 480, 1);
+    final RenderJob job = new RenderJob(everyShape(), RenderPass.COLOUR, 640, 480, 1);
     final AtomicInteger tiles = new AtomicInteger();
     assertFalse(job.run((x, y, width, height) -> {
       if (tiles.incrementAndGet() == 3) {
@@ -72,7 +76,7 @@ class RenderJobTest {
 
   @Test
   void tilesComeFromTheCentreOutwards() {
-    final RenderJob job = new RenderJob(everyShape(), View.COLOUR, 640, 480, 1);
+    final RenderJob job = new RenderJob(everyShape(), RenderPass.COLOUR, 640, 480, 1);
     final double[] last = {0};
     job.run((x, y, width, height) -> {
       final double distance = Math.hypot(x + width / 2.0 - 320, y + height / 2.0 - 240);
@@ -83,21 +87,10 @@ class RenderJobTest {
   }
 
   @Test
-  void everyTileIsComputedOnceInWhateverOrder() {
-    for (final int[] size : new int[][] {{1, 1}, {1, 9}, {7, 3}, {40, 30}}) {
-      final Set<Integer> seen = new HashSet<>();
-      for (final int tile : TileOrder.centreOutwards(size[0], size[1])) {
-        assertTrue(tile >= 0 && tile < size[0] * size[1] && seen.add(tile));
-      }
-      assertEquals(size[0] * size[1], seen.size());
-    }
-  }
-
-  @Test
   void theViewsShowNormalDepthAndCostOfEachRay() {
-    final Scene scene = everyShape();
-    final Image normals = done(scene, View.NORMALS).image();
-    final RenderJob depth = done(scene, View.DEPTH), cost = done(scene, View.COST);
+    final SceneFile scene = everyShape();
+    final Image normals = done(scene, RenderPass.NORMALS).image();
+    final RenderJob depth = done(scene, RenderPass.DEPTH), cost = done(scene, RenderPass.COST);
     final ColourScale near = depth.scale().orElseThrow(), tests = cost.scale().orElseThrow();
     final RayGenerator rays = scene.camera().getRayGenerator(W, H);
     for (int m = 0; m < W; m++) {
@@ -114,7 +107,7 @@ class RenderJobTest {
 
   @Test
   void aPictureOfNumbersThatIsCancelledHasOneScale() {
-    final RenderJob job = new RenderJob(everyShape(), View.DEPTH, 320, 240, 1);
+    final RenderJob job = new RenderJob(everyShape(), RenderPass.DEPTH, 320, 240, 1);
     final AtomicInteger tiles = new AtomicInteger();
     job.image().setRGB(0, 0, 0xff123456);
     assertFalse(job.run((x, y, width, height) -> tiles.incrementAndGet() < 60));
@@ -140,7 +133,7 @@ class RenderJobTest {
     for (int i = 0; i < objects.length; i++) {
       objects[i] = new Sphere(new Point3D(i % 4 - 1.5f, i / 4 - 1, 0), 0.45f, Color.RED);
     }
-    final Image image = done(SampleScenes.of(new Orthographic(3.5f, 0.8f), true, objects), View.OBJECT).image();
+    final Image image = done(SampleScenes.of(new Orthographic(3.5f, 0.8f), true, objects), RenderPass.OBJECT).image();
     final Set<Integer> colours = new HashSet<>();
     for (final int argb : image.getRGB(0, 0, W, H, null, 0, W)) {
       colours.add(argb);
@@ -167,16 +160,16 @@ class RenderJobTest {
 
   @Test
   void allViewsShowAShapeOfOnesOwn() {
-    for (final View view : View.values()) {
+    for (final RenderPass view : RenderPass.values()) {
       final Image image = done(SampleScenes.of(new Orthographic(4, 0.8f), true, new Disc()), view).image();
       assertEquals(0xff, image.getRGB(W / 2, H / 2) >>> 24, view.name());
-      assertTrue(view == View.COST || image.getRGB(W / 2, H / 2) != image.getRGB(1, 1), view.name());
+      assertTrue(view == RenderPass.COST || image.getRGB(W / 2, H / 2) != image.getRGB(1, 1), view.name());
     }
   }
 
   @Test
   void anEmptySceneHasNoDepth() {
-    assertEquals(Optional.empty(), done(SampleScenes.of(new Orthographic(4, 0.8f), true), View.DEPTH).scale());
+    assertEquals(Optional.empty(), done(SampleScenes.of(new Orthographic(4, 0.8f), true), RenderPass.DEPTH).scale());
   }
 
   @Test
@@ -195,10 +188,10 @@ class RenderJobTest {
 
   @Test
   void viewsAreKnownByTheirNames() {
-    for (final View view : View.values()) {
-      assertEquals(Optional.of(view), View.named(view.option()));
+    for (final RenderPass view : RenderPass.values()) {
+      assertEquals(Optional.of(view), RenderPass.named(view.option()));
     }
-    assertEquals(Optional.of(View.DEPTH), View.named("Depth"));
-    assertEquals(Optional.empty(), View.named("deep"));
+    assertEquals(Optional.of(RenderPass.DEPTH), RenderPass.named("Depth"));
+    assertEquals(Optional.empty(), RenderPass.named("deep"));
   }
 }

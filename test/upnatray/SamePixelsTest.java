@@ -6,15 +6,16 @@ import static org.junit.jupiter.api.Assertions.fail;
 import java.awt.Color;
 import java.util.Random;
 
-import org.junit.jupiter.api.Test;
-
 import models.Box;
 import models.Cylinder;
 import models.Group3D;
 import models.Object3D;
 import models.Triangle;
+import org.junit.jupiter.api.Test;
 import primitives.Point3D;
 import primitives.Vector3D;
+import rendering.RenderSettings;
+import rendering.Shading;
 import tracer.Hit;
 import tracer.Ray;
 import trials.Trials;
@@ -50,7 +51,7 @@ class SamePixelsTest {
   private static int[] synthesised(final Group3D scene, final Camera camera, final int W, final int H,
       final Shading shading, final int threads) {
     final Image image = new Image(W, H, BACKGROUND);
-    assertTrue(image.synthesis(scene, camera, Rendering.STANDARD.withShading(shading).withThreads(threads)));
+    assertTrue(image.synthesis(scene, camera, RenderSettings.STANDARD.withShading(shading).withThreads(threads)));
     return pixels(image);
   }
 

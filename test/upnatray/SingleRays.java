@@ -1,6 +1,7 @@
 package upnatray;
 
 import models.Object3D;
+import rendering.Shading;
 import tracer.Hit;
 import tracer.Ray;
 import tracer.RayGenerator;

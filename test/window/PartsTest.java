@@ -28,14 +28,14 @@ import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.api.io.TempDir;
 
 import inspection.ColourStep;
-import inspection.Finding;
+import inspection.ContractViolation;
 import models.Group3D;
-import models.March;
+import models.SphereTrace;
 import primitives.Point3D;
 import primitives.Vector3D;
-import scenes.Problem;
+import diagnostics.Problem;
 import upnatray.PngFile;
-import upnatray.View;
+import rendering.RenderPass;
 import view.Camera;
 import view.Orthographic;
 
@@ -87,7 +87,7 @@ class PartsTest {
     final BufferedImage before = new BufferedImage(4, 4, BufferedImage.TYPE_INT_ARGB);
     final BufferedImage next = new BufferedImage(4, 4, BufferedImage.TYPE_INT_ARGB);
     before.setRGB(0, 0, 0xff111111);
-    final Canvas canvas = new Canvas(next, before);
+    final ProgressivePicture canvas = new ProgressivePicture(next, before);
     assertEquals(0xff111111, canvas.picture().getRGB(0, 0));
     next.setRGB(3, 3, 0xff333333);
     canvas.tileDone(2, 2, 2, 2);
@@ -95,7 +95,8 @@ class PartsTest {
     assertEquals(0xff111111, canvas.picture().getRGB(0, 0));
     assertEquals(new Rectangle(2, 2, 2, 2), canvas.takeChanged());
     assertTrue(canvas.takeChanged().isEmpty());
-    assertEquals(0, new Canvas(next, new BufferedImage(5, 4, BufferedImage.TYPE_INT_ARGB)).picture().getRGB(3, 3));
+    assertEquals(0, new ProgressivePicture(next, new BufferedImage(5, 4, BufferedImage.TYPE_INT_ARGB)).picture().getRGB(3,
+        3));
   }
 
   @Test
@@ -178,10 +179,11 @@ class PartsTest {
       same += english.getString(key).equals(spanish.getString(key)) ? 1 : 0;
     }
     assertTrue(same < keys.size() / 4, "not translated: " + same);
-    for (final Object kind : List.of(Finding.values(), March.End.values(), ColourStep.Kind.values(), View.values(),
+    for (final Object kind : List.of(ContractViolation.values(), SphereTrace.End.values(), ColourStep.Kind.values(),
+        RenderPass.values(),
         Problem.Severity.values()).stream().flatMap(java.util.Arrays::stream).toList()) {
-      final String prefix = kind instanceof Finding ? "finding." : kind instanceof March.End ? "march."
-          : kind instanceof ColourStep.Kind ? "colour." : kind instanceof View ? "view." : "problems.";
+      final String prefix = kind instanceof ContractViolation ? "finding." : kind instanceof SphereTrace.End ? "march."
+          : kind instanceof ColourStep.Kind ? "colour." : kind instanceof RenderPass ? "view." : "problems.";
       assertTrue(keys.contains(prefix + kind) || keys.contains(prefix + kind + ".text"), prefix + kind);
     }
   }

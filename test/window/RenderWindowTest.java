@@ -50,14 +50,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 import inspection.SampleScenes;
-import models.March;
+import models.SphereTrace;
 import models.Object3D;
 import models.Sphere;
 import primitives.Point3D;
-import scenes.Scene;
+import scenes.SceneFile;
 import tracer.Hit;
 import tracer.Ray;
-import upnatray.View;
+import rendering.RenderPass;
 import view.Orthographic;
 
 /** Drives a real window. Where there is no display these tests are skipped. */
@@ -98,7 +98,7 @@ class RenderWindowTest {
     scene = Files.writeString(folder.resolve("ball.xml"), SCENE);
     on(() -> {
       Theme.install(false);
-      window = new RenderWindow(new Settings(preferences), View.COLOUR, 2);
+      window = new RenderWindow(new Settings(preferences), RenderPass.COLOUR, 2);
       window.open(scene);
       window.frame().setVisible(true);
       return null;
@@ -320,10 +320,10 @@ class RenderWindowTest {
   @Test
   void viewsAndSizesAreChosenFromTheBar() throws Exception {
     on(() -> {
-      ((javax.swing.JComboBox<?>) find("what")).setSelectedItem(View.DEPTH);
+      ((javax.swing.JComboBox<?>) find("what")).setSelectedItem(RenderPass.DEPTH);
       return null;
     });
-    waitFor(() -> !window.isRunning() && window.job().view() == View.DEPTH);
+    waitFor(() -> !window.isRunning() && window.job().view() == RenderPass.DEPTH);
     assertTrue(on(() -> find("legend").isVisible()));
     assertEquals(0, pixel(1, 1) >>> 24);
     on(() -> {
@@ -368,9 +368,9 @@ class RenderWindowTest {
     }
   }
 
-  private Scene slow() {
-    final Scene sample = SampleScenes.of(new Orthographic(4, 0.8f), true, new Slow());
-    return new Scene("slow", 400, 320, Color.GREEN, true, sample.camera(), sample.objects(), Map.of(), Set.of());
+  private SceneFile slow() {
+    final SceneFile sample = SampleScenes.of(new Orthographic(4, 0.8f), true, new Slow());
+    return new SceneFile("slow", 400, 320, Color.GREEN, true, sample.camera(), sample.objects(), Map.of(), Set.of());
   }
 
   @Test
@@ -494,7 +494,7 @@ class RenderWindowTest {
       return null;
     });
     waitFor(() -> label("asked").contains("NullPointerException"));
-    Thread.sleep(2 * Questions.SOON);
+    Thread.sleep(2 * PixelInspections.SOON);
     assertTrue(label("asked").contains("NullPointerException"), label("asked"));
   }
 
@@ -602,7 +602,7 @@ class RenderWindowTest {
   @Test
   void theSceneFromOutsideTurnsAndGrowsAboutThePointer() throws Exception {
     press("outside");
-    final OutsideView outside = on(() -> window.dialogs().outside());
+    final WireframeView outside = on(() -> window.dialogs().outside());
     final BufferedImage before = on(outside::image);
     pin(40, 30);
     on(() -> {
@@ -656,10 +656,11 @@ class RenderWindowTest {
 
   @Test
   void aMarchIsPlottedAsFarAsItHasDistances() throws Exception {
-    final MarchPlot plot = new MarchPlot();
+    final SphereTracePlot plot = new SphereTracePlot();
     plot.setSize(200, 150);
-    plot.setMarch(new March(List.of(new March.Step(0, 2), new March.Step(2, 1), new March.Step(3, Double.NaN),
-        new March.Step(Double.POSITIVE_INFINITY, 1)), 9, March.End.UNDEFINED, Double.POSITIVE_INFINITY));
+    plot.setMarch(new SphereTrace(List.of(new SphereTrace.Step(0, 2), new SphereTrace.Step(2, 1), new SphereTrace.Step(3,
+        Double.NaN),
+        new SphereTrace.Step(Double.POSITIVE_INFINITY, 1)), 9, SphereTrace.End.UNDEFINED, Double.POSITIVE_INFINITY));
     final BufferedImage image = new BufferedImage(200, 150, BufferedImage.TYPE_INT_ARGB);
     plot.paintComponent(image.getGraphics());
     final int[] right = image.getRGB(185, 0, 15, 150, null, 0, 15), left = image.getRGB(0, 0, 15, 150, null, 0, 15);

@@ -1,0 +1,2 @@
+/** Files of meshes: Wavefront OBJ text files, also zipped. */
+package meshes;

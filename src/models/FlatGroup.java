@@ -1,0 +1,226 @@
+package models;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Deque;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Set;
+
+import acceleration.Bvh;
+import acceleration.RayTile;
+import primitives.BoundingBox;
+import tracer.Hit;
+import tracer.Ray;
+
+/**
+ * The objects of a group as they were at some moment, groups within it opened up: those without an end first, the others in
+ * the order of a tree of their boxes. Immutable, but for when it was last found to be up to date.
+ */
+final class FlatGroup {
+
+  /** Objects to a leaf of the tree: to look at a box costs about as much as to ask a simple object. */
+  private static final int LEAF = 2;
+
+  private final long size;
+  private volatile long additions;
+
+  private final Object3D[] objects;
+  private final BoundingBox[] boxes;
+
+  /** The place of each object in the order of adding. */
+  private final int[] order;
+
+  private final int unbounded;
+  private final Bvh tree;
+  private final BoundingBox box;
+
+  private FlatGroup(final List<Object3D> all, final long size, final long additions) {
+    this.size = size;
+    this.additions = additions;
+    final int n = all.size();
+    final BoundingBox[] boxOf = new BoundingBox[n];
+    final int[] sorted = new int[n];
+    BoundingBox union = BoundingBox.EMPTY;
+    int withoutEnd = 0, withEnd = n;
+    for (int i = n - 1; i >= 0; i--) {
+      boxOf[i] = boxOf(all.get(i));
+      union = union.union(boxOf[i]);
+      if (boxOf[i].isFinite()) {
+        sorted[--withEnd] = i;
+      } else {
+        sorted[withoutEnd++] = i;
+      }
+    }
+    this.unbounded = withoutEnd;
+    this.box = union;
+    final int[] place = new int[n - unbounded];
+    this.tree = Bvh.over(numbers(boxOf, sorted, unbounded), LEAF, place);
+    this.order = new int[n];
+    this.objects = new Object3D[n];
+    this.boxes = new BoundingBox[n];
+    for (int i = 0; i < n; i++) {
+      order[i] = i < unbounded ? sorted[i] : sorted[unbounded + place[i - unbounded]];
+      objects[i] = all.get(order[i]);
+      boxes[i] = boxOf[order[i]];
+    }
+  }
+
+  /** The members of a group, which are the ones known already if nothing in it has changed since. */
+  static FlatGroup of(final Group3D group, final FlatGroup known, final long additions) {
+    final long size = sizeOf(group);
+    if (known != null && known.size == size) {
+      known.additions = additions;
+      return known;
+    }
+    return new FlatGroup(membersOf(group), size, additions);
+  }
+
+  /** Whether nothing was added to any group since these members were last found to be up to date. */
+  boolean areOf(final long number) {
+    return additions == number;
+  }
+
+  /** Number of objects in all groups that are part of a group, itself included: it grows with whatever is added there. */
+  private static long sizeOf(final Group3D group) {
+    long size = 0;
+    final Set<Object3D> seen = Collections.newSetFromMap(new IdentityHashMap<>());
+    final Deque<Object3D> open = new ArrayDeque<>(List.of(group));
+    while (!open.isEmpty()) {
+      final Object3D whole = open.pop();
+      if (seen.add(whole)) {
+        for (final Object3D part : Group3D.partsOf(whole)) {
+          size++;
+          if (part instanceof Group3D || part instanceof AffineTransformation) {
+            open.push(part);
+          }
+        }
+      }
+    }
+    return size;
+  }
+
+  /** The objects of a group and of the groups within it, in the order in which they would be asked, none twice. */
+  private static List<Object3D> membersOf(final Group3D group) {
+    final List<Object3D> members = new ArrayList<>();
+    final Set<Object3D> seen = Collections.newSetFromMap(new IdentityHashMap<>());
+    final Deque<Object3D> open = new ArrayDeque<>(List.of(group));
+    while (!open.isEmpty()) {
+      final Object3D object = open.pop();
+      if (!seen.add(object)) {
+        continue;
+      }
+      if (object instanceof Group3D) {
+        final List<Object3D> parts = Group3D.partsOf(object);
+        for (int i = parts.size() - 1; i >= 0; i--) {
+          open.push(parts.get(i));
+        }
+      } else {
+        members.add(object);
+      }
+    }
+    return members;
+  }
+
+  /** Box of an object, where one of somebody else's may answer null. */
+  static BoundingBox boxOf(final Object3D object) {
+    final BoundingBox box = object.getBoundingBox();
+    return box == null ? BoundingBox.UNBOUNDED : box;
+  }
+
+  private static float[] numbers(final BoundingBox[] boxOf, final int[] which, final int from) {
+    final float[] numbers = new float[6 * (which.length - from)];
+    for (int i = from, at = 0; i < which.length; i++) {
+      final BoundingBox b = boxOf[which[i]];
+      numbers[at++] = b.minX();
+      numbers[at++] = b.minY();
+      numbers[at++] = b.minZ();
+      numbers[at++] = b.maxX();
+      numbers[at++] = b.maxY();
+      numbers[at++] = b.maxZ();
+    }
+    return numbers;
+  }
+
+  BoundingBox box() {
+    return box;
+  }
+
+  Hit closestHit(final Ray ray) {
+    final ClosestHit closest = new ClosestHit(ray);
+    for (int i = 0; i < unbounded; i++) {
+      closest.ask(objects[i], order[i]);
+    }
+    tree.closest(ray.startX(), ray.startY(), ray.startZ(), ray.directionX(), ray.directionY(), ray.directionZ(),
+        (first, end) -> {
+          for (int i = first; i < end; i++) {
+            closest.ask(objects[unbounded + i], order[unbounded + i]);
+          }
+          return closest.farthest();
+        });
+    return closest.hit();
+  }
+
+  /** What the same question costs: the objects are asked in the same way, and each tells its cost. */
+  int cost(final Ray ray) {
+    final ClosestHit closest = new ClosestHit(ray);
+    final int[] cost = new int[1];
+    for (int i = 0; i < unbounded; i++) {
+      closest.ask(objects[i], order[i]);
+      cost[0] += objects[i].cost(ray);
+    }
+    tree.closest(ray.startX(), ray.startY(), ray.startZ(), ray.directionX(), ray.directionY(), ray.directionZ(),
+        (first, end) -> {
+          for (int i = unbounded + first; i < unbounded + end; i++) {
+            closest.ask(objects[i], order[i]);
+            cost[0] += objects[i].cost(ray);
+          }
+          return closest.farthest();
+        });
+    return cost[0];
+  }
+
+  void closestHits(final RayTile rays, final TileHits hits) {
+    for (int i = 0; i < unbounded; i++) {
+      rays.reset();
+      hits.setOrder(order[i]);
+      objects[i].closestHits(rays, hits);
+    }
+    if (rays.frustum().isFitted()) {
+      tree.closest(rays.frustum(), (first, end) -> closestHits(rays, hits, unbounded + first, unbounded + end));
+    } else {
+      rayByRay(rays, hits);
+    }
+  }
+
+  private double closestHits(final RayTile rays, final TileHits hits, final int first, final int end) {
+    for (int i = first; i < end; i++) {
+      if (rays.narrowTo(boxes[i])) {
+        hits.setOrder(order[i]);
+        objects[i].closestHits(rays, hits);
+      }
+    }
+    return hits.farthest();
+  }
+
+  /** For rays that have too little in common to be traced together. */
+  private void rayByRay(final RayTile rays, final TileHits hits) {
+    for (int row = 0; row < rays.rows(); row++) {
+      for (int i = row * RayTile.SIZE; i < row * RayTile.SIZE + rays.columns(); i++) {
+        if (rays.isPresent(i)) {
+          final int pixel = i;
+          final Ray ray = hits.ray(i);
+          tree.closest(rays.startX(i), rays.startY(i), rays.startZ(i),
+              rays.directionX(i), rays.directionY(i), rays.directionZ(i), (first, end) -> {
+                for (int k = unbounded + first; k < unbounded + end; k++) {
+                  hits.setOrder(order[k]);
+                  hits.offer(pixel, ray, objects[k]);
+                }
+                return hits.farthest(pixel);
+              });
+        }
+      }
+    }
+  }
+}

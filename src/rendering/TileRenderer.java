@@ -1,0 +1,169 @@
+package rendering;
+
+import java.util.concurrent.ThreadFactory;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
+
+import acceleration.RayTile;
+import models.Group3D;
+import models.TileHits;
+import tracer.Hit;
+import tracer.Ray;
+import tracer.RayGenerator;
+
+/**
+ * One synthesis of an image: its tiles of 16 × 16 pixels, shared out among threads that each take the next one. Every pixel
+ * depends on its own ray alone, so the threads need to agree on nothing but who computes which tile.
+ */
+public final class TileRenderer {
+
+  private final Group3D scene;
+  private final RayGenerator generator;
+  private final RenderSettings rendering;
+  private final int[] pixels;
+  private final int background;
+  private final int W;
+  private final int H;
+  private final int across;
+  private final int tiles;
+  /** In which order the tiles are computed; null for the order of their numbers, if nobody watches. */
+  private final int[] order;
+  private final AtomicInteger next = new AtomicInteger();
+  private final AtomicReference<Throwable> failure = new AtomicReference<>();
+  private volatile boolean stopped;
+
+  /**
+   * A renderer of one picture.
+   *
+   * @param scene the scene
+   * @param generator the rays of the picture, which give its size
+   * @param rendering how to compute it
+   * @param pixels where its pixels go, as sRGB with alpha, the top row first
+   * @param background pixel without a hit
+   */
+  public TileRenderer(final Group3D scene, final RayGenerator generator, final RenderSettings rendering, final int[] pixels,
+      final int background) {
+    this.scene = scene;
+    this.generator = generator;
+    this.rendering = rendering;
+    this.pixels = pixels;
+    this.background = background;
+    this.W = generator.getWidth();
+    this.H = generator.getHeight();
+    this.across = (W + RayTile.SIZE - 1) / RayTile.SIZE;
+    this.tiles = Math.multiplyExact(across, (H + RayTile.SIZE - 1) / RayTile.SIZE);
+    this.order = rendering.progress() == Progress.NONE ? null : TileOrder.centreOutwards(across, tiles / across);
+  }
+
+  /**
+   * Computes all pixels, on the calling thread and others.
+   *
+   * @param factory makes the other threads
+   * @return false if the rendering was stopped before its end
+   */
+  public boolean run(final ThreadFactory factory) {
+    final Thread[] helpers = new Thread[Math.min(rendering.threads(), tiles) - 1];
+    final int started = start(helpers, factory);
+    work();
+    boolean interrupted = false;
+    for (int i = 0; i < started; i++) {
+      interrupted |= await(helpers[i]);
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+    rethrow(failure.get());
+    return !stopped;
+  }
+
+  /** Starts threads, as many as the system allows: the image does not depend on their number. Answers how many. */
+  private int start(final Thread[] threads, final ThreadFactory factory) {
+    int started = 0;
+    try {
+      for (; started < threads.length; started++) {
+        threads[started] = factory.newThread(this::work);
+        threads[started].setDaemon(true);
+        threads[started].start();
+      }
+    } catch (OutOfMemoryError noMoreThreads) {
+      // Those that have started, and the calling thread, share the work.
+    }
+    return started;
+  }
+
+  private void work() {
+    try {
+      final RayTile rays = new RayTile();
+      final TileHits hits = new TileHits(rays);
+      for (int i = next.getAndIncrement(); i < tiles && !stopped; i = next.getAndIncrement()) {
+        final int tile = order == null ? i : order[i];
+        compute(tile % across * RayTile.SIZE, tile / across * RayTile.SIZE, rays, hits);
+      }
+    } catch (Throwable e) {
+      failure.compareAndSet(null, e);
+      stopped = true;
+    }
+  }
+
+  /** Computes the tile whose lowest leftmost pixel is (m, n). */
+  private void compute(final int m, final int n, final RayTile rays, final TileHits hits) {
+    final int width = Math.min(RayTile.SIZE, W - m), height = Math.min(RayTile.SIZE, H - n);
+    try {
+      rays.open(width, height);
+      generator.fill(rays, m, n);
+      rays.close();
+      hits.clear();
+      scene.closestHits(rays, hits);
+      for (int row = 0; row < height; row++) {
+        paint(hits, row * RayTile.SIZE, width, (H - 1 - n - row) * W + m);
+      }
+    } catch (RuntimeException e) {
+      throw new FailureLocator(scene, generator).explain(e, m, n, width, height);
+    } catch (StackOverflowError e) {
+      throw new FailureLocator(scene, generator).explain(e, m, n, width, height);
+    }
+    if (!rendering.progress().tileDone(m, H - n - height, width, height)) {
+      stopped = true;
+    }
+  }
+
+  private void paint(final TileHits hits, final int first, final int width, final int at) {
+    final boolean plain = rendering.shading() == Shading.PLAIN;
+    for (int i = 0; i < width; i++) {
+      if (!hits.hits(first + i)) {
+        pixels[at + i] = background;
+      } else if (plain) {
+        pixels[at + i] = hits.argb(first + i);
+      } else {
+        pixels[at + i] = shade(hits.ray(first + i), hits.hit(first + i));
+      }
+    }
+  }
+
+  /** A hit whose numbers no float can hold is none. */
+  private int shade(final Ray ray, final Hit hit) {
+    return hit.hits() ? rendering.shading().argb(ray, hit) : background;
+  }
+
+  /** Waits for a helper to end, which is soon, as no tile is left; answers whether this thread was interrupted meanwhile. */
+  private boolean await(final Thread helper) {
+    boolean interrupted = false;
+    while (true) {
+      try {
+        helper.join();
+        return interrupted;
+      } catch (InterruptedException e) {
+        interrupted = true;
+      }
+    }
+  }
+
+  private static void rethrow(final Throwable failure) {
+    if (failure instanceof Error) {
+      throw (Error) failure;
+    }
+    if (failure != null) {
+      throw (RuntimeException) failure;
+    }
+  }
+}

@@ -1,0 +1,25 @@
+package scenes;
+
+import java.util.List;
+import java.util.Optional;
+
+import diagnostics.Problem;
+
+/**
+ * What came of the reading of a scene file.
+ *
+ * @param scene the scene; empty if there is an error
+ * @param problems errors and warnings, in the order of the file; those of a mesh stand where the scene names it
+ */
+public record ReadResult(Optional<SceneFile> scene, List<Problem> problems) {
+
+  /**
+   * Copies the list.
+   *
+   * @param scene the scene; empty if there is an error
+   * @param problems errors and warnings
+   */
+  public ReadResult {
+    problems = List.copyOf(problems);
+  }
+}

@@ -1,0 +1,143 @@
+package scenes;
+
+import java.awt.Color;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+
+import models.Group3D;
+import models.Object3D;
+import view.Camera;
+import view.Projection;
+
+/** Reads the element {@code image} of a scene file: section by section, in no order of theirs. */
+final class SceneBuilder {
+
+  private final Element image;
+  private final SceneGrammar vocabulary;
+  private final Values values;
+  private final Problems problems;
+  private final Map<Object3D, String> names = new IdentityHashMap<>();
+  private final MeshFiles files;
+
+  SceneBuilder(final Path file, final Element image, final SceneGrammar vocabulary, final Values values) {
+    this.image = image;
+    this.vocabulary = vocabulary;
+    this.values = values;
+    this.problems = values.problems();
+    this.files = new MeshFiles(file, problems);
+  }
+
+  /** The scene; null if an error was told. */
+  SceneFile scene() {
+    final Element raster = section("raster");
+    final int W = raster == null ? Values.NONE : values.integer(raster, "W", 1);
+    final int H = raster == null ? Values.NONE : values.integer(raster, "H", 1);
+    final Color background = raster == null ? null : new Colours(values).required(raster, "backgroundColor");
+    rayTracer(section("rayTracer"));
+    final Element engine = section("engine");
+    final boolean illumination = engine != null && values.bool(engine, "illumination");
+    final boolean falseLighting = engine == null || values.bool(engine, "falseLighting", true);
+    if (engine != null) {
+      values.integer(engine, "recursionDepth", 0, 0);
+    }
+    final Camera camera = camera(W, H);
+    final Group3D objects = objects(illumination);
+    final Element.Attribute name = image.attribute("name");
+    return problems.hasErrors() ? null : new SceneFile(name == null ? "" : name.value(), W, H, background,
+        illumination || falseLighting, camera, objects, Collections.unmodifiableMap(names), files.paths());
+  }
+
+  private Element section(final String name) {
+    return values.required(image, name, Expected.SECTION);
+  }
+
+  /** Blocks are a matter of presentation: their sizes are checked, and each tracer draws in its own. */
+  private void rayTracer(final Element rayTracer) {
+    if (rayTracer != null) {
+      block(rayTracer, "wblock");
+      block(rayTracer, "hblock");
+      values.bool(rayTracer, "showProgress");
+    }
+  }
+
+  private void block(final Element rayTracer, final String name) {
+    final int size = values.integer(rayTracer, name, Integer.MIN_VALUE);
+    final Element value = rayTracer.find(name);
+    if (value != null && size < 1 && size != Values.NONE) {
+      problems.warning(value.valueOffset(), "blockSize", name, size);
+    }
+  }
+
+  private Camera camera(final int W, final int H) {
+    final ViewReader view = new ViewReader(values, vocabulary.types("projection"));
+    final Element cameraElement = section("camera");
+    final Camera camera = cameraElement == null ? null : view.camera(cameraElement);
+    final Element projectionElement = section("projection");
+    final Projection projection = projectionElement == null ? null : view.projection(projectionElement, W, H);
+    if (camera != null && projection != null) {
+      camera.setProjection(projection);
+    }
+    return camera;
+  }
+
+  private Group3D objects(final boolean illumination) {
+    lights(illumination);
+    final MaterialReader materials = new MaterialReader(values);
+    for (final String kind : new String[] {"brdf", "btdf"}) {
+      for (final Element material : inBlocks("materials", kind)) {
+        materials.read(material);
+      }
+    }
+    final ModelReader models = new ModelReader(values, vocabulary.types("model"), files);
+    for (final Element model : inBlocks("models", "model")) {
+      models.read(model);
+    }
+    final Group3D group = new Group3D();
+    final Element scene = section("scene");
+    if (scene != null) {
+      final ObjectReader objects = new ObjectReader(values, illumination, models, materials, files);
+      for (final Element object : scene.findAll("object")) {
+        objects.read(object, group, names);
+      }
+    }
+    return group;
+  }
+
+  /** Reads the lights; says once that neither they nor materials have an effect. */
+  private void lights(final boolean illumination) {
+    final LightReader reader = new LightReader(values, vocabulary.types("light"));
+    final List<Element> lights = inBlocks("lights", "light");
+    for (final Element light : lights) {
+      reader.read(light);
+    }
+    final Element block = image.find("lights");
+    final Element materials = image.find("materials");
+    final boolean materialsFirst = block == null || materials != null && materials.offset() < block.offset();
+    final Element first = materialsFirst ? materials : block;
+    if (first != null) {
+      problems.warning(first.offset(), "noEffectYet");
+    }
+    if (illumination && lights.isEmpty()) {
+      problems.error(image.find("engine").find("illumination").valueOffset(), "noLight");
+    }
+  }
+
+  /** The elements of a name in all blocks of a name. */
+  private List<Element> inBlocks(final String block, final String name) {
+    final List<Element> found = new ArrayList<>();
+    for (final Element element : image.findAll(name)) {
+      Element ancestor = element.parent();
+      while (ancestor != null && !ancestor.name().equals(block)) {
+        ancestor = ancestor.parent();
+      }
+      if (ancestor != null) {
+        found.add(element);
+      }
+    }
+    return found;
+  }
+}

@@ -1,0 +1,90 @@
+package upnatray;
+
+import java.nio.file.Path;
+
+import arguments.Messages;
+
+/**
+ * What happens when the program is told to end (Ctrl-C): the rendering stops, and what is done of its picture is kept
+ * under another name. The virtual machine waits for this, however busy the other threads are.
+ */
+final class InterruptHandler extends Thread {
+
+  /** How long the rendering may take to stop by itself; then the picture is taken as it is. */
+  private static final long PATIENCE_MILLISECONDS = 500;
+
+  private volatile boolean requested;
+  private Rendition current;
+
+  InterruptHandler() {
+    super("interruption");
+  }
+
+  void install() {
+    Runtime.getRuntime().addShutdownHook(this);
+  }
+
+  /** Forgets about it all; of no effect if the end has begun. */
+  void uninstall() {
+    try {
+      Runtime.getRuntime().removeShutdownHook(this);
+    } catch (final IllegalStateException ending) {
+      requested = true;
+    }
+  }
+
+  boolean requested() {
+    return requested;
+  }
+
+  /** A picture is being rendered from now on. */
+  synchronized void rendering(final Rendition rendition) {
+    current = rendition;
+  }
+
+  /** The picture is rendered, or its rendering was stopped. */
+  synchronized void rendered() {
+    if (!requested) {
+      current = null;
+    }
+    notifyAll();
+  }
+
+  /** Saves a picture; the end of the program waits for that. */
+  synchronized void save(final Image image, final Path target) throws SaveException {
+    PngFile.save(image, target);
+  }
+
+  @Override
+  public void run() {
+    requested = true;
+    final Rendition stopped = stopped();
+    if (stopped != null) {
+      final Path target = stopped.target();
+      final String file = target.getFileName().toString();
+      final String name = file.endsWith(".png") ? file.substring(0, file.length() - 4) : file;
+      final Path partial = target.resolveSibling(name + ".partial.png");
+      try {
+        PngFile.save(stopped.partial(), partial);
+        System.err.println(Messages.text("upnatray.partial", partial));
+      } catch (final SaveException failure) {
+        System.err.println(failure.getMessage());
+      } catch (final OutOfMemoryError full) {
+        System.err.println(Messages.text("upnatray.noPartial", partial));
+      }
+    }
+  }
+
+  /** The rendering that was going on, once it has stopped or enough time has gone; null if there was none. */
+  private synchronized Rendition stopped() {
+    final Rendition stopped = current;
+    if (stopped != null) {
+      try {
+        wait(PATIENCE_MILLISECONDS);
+      } catch (final InterruptedException impatient) {
+        interrupt();
+      }
+    }
+    return stopped;
+  }
+}

@@ -1,0 +1,210 @@
+package window;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Point;
+import java.awt.RenderingHints;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import java.awt.geom.Line2D;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Map;
+
+import javax.swing.SwingUtilities;
+
+import arguments.Messages;
+import inspection.Wireframe;
+import primitives.BoundingBox;
+import primitives.Point3D;
+
+/**
+ * A scene and its camera from outside, as lines. Dragging turns it (left and right about the scene's y), with shift or
+ * another button it moves it, the wheel changes its size about the pointer.
+ */
+final class WireframeView extends Drawing {
+
+  private static final long serialVersionUID = 1L;
+
+  private static final double DEGREES_TO_A_POINT = 0.5;
+  private static final double NOTCH = 1.15;
+  private static final Map<Wireframe.Kind, Color> COLOURS = Map.of(Wireframe.Kind.AXIS_X, new Color(0xd03030),
+      Wireframe.Kind.AXIS_Y, new Color(0x2f9e44), Wireframe.Kind.AXIS_Z, new Color(0x3060d0),
+      Wireframe.Kind.WINDOW, new Color(0xe08a00), Wireframe.Kind.GRID, new Color(0xd9b477),
+      Wireframe.Kind.FRUSTUM, new Color(0xb0b0b0), Wireframe.Kind.RAY, new Color(0xd000b0),
+      Wireframe.Kind.NORMAL, new Color(0x00a0b0));
+
+  private transient List<Wireframe.Line> lines = List.of();
+  private double yaw = 35;
+  private double pitch = 25;
+  private double zoom = 1;
+  private double moveX;
+  private double moveY;
+  private Point3D middle = new Point3D();
+  private double radius = 1;
+  private Point last;
+
+  WireframeView() {
+    super("outside.name");
+    setName("outside");
+    setFocusable(true);
+    setPreferredSize(new Dimension(720, 540));
+    getAccessibleContext().setAccessibleDescription(Messages.text("window.outside.tip"));
+    setToolTipText(Messages.text("window.outside.tip"));
+    final MouseAdapter mouse = new Mouse();
+    addMouseListener(mouse);
+    addMouseMotionListener(mouse);
+    addMouseWheelListener(mouse);
+  }
+
+  void setLines(final List<Wireframe.Line> next) {
+    lines = next;
+    final BoundingBox box = Wireframe.bounds(next);
+    middle = box.getMin();
+    middle.interpolate(box.getMax(), 0.5f);
+    radius = middle.distance(box.getMax());
+    repaint();
+  }
+
+  void turn(final double degreesAcross, final double degreesDown) {
+    yaw += degreesAcross;
+    pitch = Math.max(-90, Math.min(90, pitch + degreesDown));
+    repaint();
+  }
+
+  /** Changes the size of all; what is at a place, seen from the middle of the component, stays there. */
+  void zoomAbout(final double x, final double y, final double factor) {
+    zoom *= factor;
+    moveX = x - factor * (x - moveX);
+    moveY = y - factor * (y - moveY);
+    repaint();
+  }
+
+  void zoomBy(final double factor) {
+    zoomAbout(0, 0, factor);
+  }
+
+  void moveBy(final double dx, final double dy) {
+    moveX += dx;
+    moveY += dy;
+    repaint();
+  }
+
+  /** Shows it all. */
+  void fit() {
+    zoom = 1;
+    moveX = 0;
+    moveY = 0;
+    repaint();
+  }
+
+  /** The drawing as it is seen, twice as large. */
+  BufferedImage image() {
+    final BufferedImage image = new BufferedImage(2 * getWidth(), 2 * getHeight(), BufferedImage.TYPE_INT_ARGB);
+    final Graphics2D g = image.createGraphics();
+    g.scale(2, 2);
+    paintComponent(g);
+    g.dispose();
+    return image;
+  }
+
+  @Override
+  protected void paintComponent(final Graphics graphics) {
+    final Graphics2D g = (Graphics2D) graphics.create();
+    g.setColor(Color.WHITE);
+    g.fillRect(0, 0, getWidth(), getHeight());
+    g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+    g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+    if (!lines.isEmpty()) {
+      paintLines(g);
+    }
+    g.dispose();
+  }
+
+  private void paintLines(final Graphics2D g) {
+    final double k = scale();
+    final double left = 0.5 * getWidth() + moveX - k * across(middle), top = 0.5 * getHeight() + moveY + k * up(middle);
+    for (final Wireframe.Line line : lines) {
+      final double x = left + k * across(line.to()), y = top - k * up(line.to());
+      g.setColor(colour(line));
+      g.setStroke(stroke(line.kind()));
+      g.draw(new Line2D.Double(left + k * across(line.from()), top - k * up(line.from()), x, y));
+      letter(g, line.kind(), x, y);
+    }
+  }
+
+  /** Points of the component to a unit of the scene. All lines fit in, from wherever they are seen. */
+  private double scale() {
+    return 0.48 * zoom * Math.min(getWidth(), getHeight()) / Math.max(radius, Float.MIN_NORMAL);
+  }
+
+  private double across(final Point3D P) {
+    final double a = Math.toRadians(yaw);
+    return Math.cos(a) * P.x - Math.sin(a) * P.z;
+  }
+
+  private double up(final Point3D P) {
+    final double a = Math.toRadians(yaw), b = Math.toRadians(pitch);
+    return Math.cos(b) * P.y - Math.sin(b) * (Math.sin(a) * P.x + Math.cos(a) * P.z);
+  }
+
+  /** Boxes have the colour of their object, but never one so light that it is not seen on white. */
+  private static Color colour(final Wireframe.Line line) {
+    if (COLOURS.containsKey(line.kind())) {
+      return COLOURS.get(line.kind());
+    }
+    final Color own = line.argb() == 0 ? Color.GRAY : new Color(line.argb());
+    return own.getRed() + own.getGreen() + own.getBlue() > 600 ? own.darker() : own;
+  }
+
+  private static BasicStroke stroke(final Wireframe.Kind kind) {
+    return switch (kind) {
+      case GRID -> new BasicStroke(0.5f);
+      case FRUSTUM -> new BasicStroke(0.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1, new float[] {5, 4}, 0);
+      case BOX, AROUND, PLANE -> new BasicStroke(0.9f);
+      default -> new BasicStroke(2);
+    };
+  }
+
+  private static void letter(final Graphics2D g, final Wireframe.Kind kind, final double x, final double y) {
+    final String letter = switch (kind) {
+      case AXIS_X -> "x";
+      case AXIS_Y -> "y";
+      case AXIS_Z -> "z";
+      case NORMAL -> "n";
+      default -> "";
+    };
+    g.drawString(letter, (float) x + 4, (float) y - 3);
+  }
+
+  /** Turns and zooms. */
+  private final class Mouse extends MouseAdapter {
+
+    @Override
+    public void mousePressed(final MouseEvent event) {
+      requestFocusInWindow();
+      last = event.getPoint();
+    }
+
+    @Override
+    public void mouseDragged(final MouseEvent event) {
+      final int dx = event.getX() - last.x, dy = event.getY() - last.y;
+      if (event.isShiftDown() || !SwingUtilities.isLeftMouseButton(event)) {
+        moveBy(dx, dy);
+      } else {
+        turn(DEGREES_TO_A_POINT * dx, DEGREES_TO_A_POINT * dy);
+      }
+      last = event.getPoint();
+    }
+
+    @Override
+    public void mouseWheelMoved(final MouseWheelEvent event) {
+      zoomAbout(event.getX() - 0.5 * getWidth(), event.getY() - 0.5 * getHeight(),
+          Math.pow(NOTCH, -event.getPreciseWheelRotation()));
+    }
+  }
+}

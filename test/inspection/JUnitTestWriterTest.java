@@ -1,0 +1,127 @@
+package inspection;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.io.StringWriter;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+import javax.tools.JavaCompiler;
+import javax.tools.ToolProvider;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.opentest4j.AssertionFailedError;
+
+import models.Object3D;
+import models.Sphere;
+import primitives.Point3D;
+import scenes.SceneFile;
+import tracer.Hit;
+import tracer.Ray;
+
+class JUnitTestWriterTest {
+
+  private static final int W = 48;
+  private static final int H = 36;
+
+  @TempDir
+  Path folder;
+
+  /** Compiles methods as those of a class in a package of its own, and makes an object of it. */
+  private Object compiled(final Iterable<String> methods) throws Exception {
+    final Path source = folder.resolve("CopiedTest.java");
+    Files.writeString(source, "package copied;\n\npublic class CopiedTest {\n\n" + String.join("\n", methods) + "}\n");
+    final JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+    final StringWriter messages = new StringWriter();
+    assertTrue(compiler.getTask(messages, null, null, List.of("-d", folder.toString(), "-proc:none", "-Xlint:all", "-Werror",
+        "-cp", System.getProperty("java.class.path")), null, compiler.getStandardFileManager(null, null, null)
+        .getJavaFileObjects(source)).call(), messages::toString);
+    try (URLClassLoader loader = new URLClassLoader(new URL[] {folder.toUri().toURL()}, getClass().getClassLoader())) {
+      final var constructor = loader.loadClass("copied.CopiedTest").getDeclaredConstructor();
+      constructor.setAccessible(true);
+      return constructor.newInstance();
+    }
+  }
+
+  /** Runs what was copied, and nothing that a tool such as one that measures coverage has added to the class. */
+  private static int run(final Object tests) throws ReflectiveOperationException {
+    int count = 0;
+    for (final Method method : tests.getClass().getDeclaredMethods()) {
+      if (method.isSynthetic()) {
+        continue;
+      }
+      assertTrue(method.isAnnotationPresent(Test.class));
+      method.setAccessible(true);
+      method.invoke(tests);
+      count++;
+    }
+    return count;
+  }
+
+  @Test
+  void theTestOfEveryShapeCompilesAndPasses() throws Exception {
+    final SceneFile scene = SampleScenes.of(SampleScenes.perspective(), true, SampleScenes.everyShape());
+    final Inspector inspector = new Inspector(scene, W, H);
+    final Set<Object3D> met = new HashSet<>();
+    final Set<String> methods = new LinkedHashSet<>();
+    for (int m = 0; m < W; m++) {
+      for (int n = 0; n < H; n++) {
+        final Inspection inspection = inspector.inspect(m, n);
+        for (final Intersection meeting : inspection.meetings()) {
+          if (met.add(meeting.object())) {
+            methods.add(JUnitTestWriter.of(inspection, meeting));
+          }
+        }
+      }
+    }
+    assertEquals(SampleScenes.everyShape().length, methods.size());
+    assertEquals(methods.size(), run(compiled(methods)));
+  }
+
+  @Test
+  void theTestOfAHitFailsIfTheShapeIsAnother() throws Exception {
+    final Sphere sphere = new Sphere(new Point3D(), 1, Color.RED);
+    final Inspection inspection = new Inspector(SampleScenes.of(SampleScenes.perspective(), true, sphere), W, H)
+        .inspect(W / 2, H / 2);
+    final String text = JUnitTestWriter.of(inspection, inspection.meetings().get(0));
+    assertEquals(1, run(compiled(List.of(text))));
+    final String colour = ",\n        new java.awt.Color";
+    final Object wrong = compiled(List.of(text.replace("1.0f" + colour, "1.1f" + colour)));
+    final Exception thrown = assertThrows(InvocationTargetException.class, () -> run(wrong));
+    assertTrue(thrown.getCause() instanceof AssertionFailedError);
+  }
+
+  /** A shape that does not tell its arguments. */
+  private static final class Secret extends Object3D {
+
+    Secret() {
+      super(Color.RED);
+    }
+
+    @Override
+    public Hit intersectionWith(final Ray ray) {
+      return new Hit(1, ray.pointAtParameter(1), ray.getDirection(), this);
+    }
+  }
+
+  @Test
+  void theTestOfAShapeThatDoesNotTellItsArgumentsSaysWhatToWrite() throws Exception {
+    final Inspection inspection = new Inspector(SampleScenes.of(SampleScenes.perspective(), true, new Secret()), W, H)
+        .inspect(3, 4);
+    final Object tests = compiled(List.of(JUnitTestWriter.of(inspection, inspection.meetings().get(0))));
+    final Exception thrown = assertThrows(InvocationTargetException.class, () -> run(tests));
+    assertEquals("make the Secret here, or write Secret.constructorArguments", thrown.getCause().getMessage());
+  }
+}
