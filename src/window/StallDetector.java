@@ -5,6 +5,8 @@ import java.util.Optional;
 import arguments.Messages;
 import models.Object3D;
 
+import rendering.TileRenderer;
+
 /** Notices that a rendering does not get on, and finds out which object keeps it so long. */
 final class StallDetector {
 
@@ -44,7 +46,7 @@ final class StallDetector {
         object = String.format("%s.%s (%s:%d)", call.getClassName(), call.getMethodName(), call.getFileName(),
             call.getLineNumber());
       }
-      if (object != null && call.getClassName().equals("upnatray.Synthesis")) {
+      if (object != null && call.getClassName().equals(TileRenderer.class.getName())) {
         return Optional.of(object);
       }
     }

@@ -88,7 +88,7 @@ class BundlesTest {
 
   /**
    * A key that no source names is left over. It may stand there as a literal of its own or at the end of one, without the
-   * ending "Any", or up to its first point, if the source puts it together.
+   * ending "Any", or up to its first point, if the source puts it together; its package may precede it.
    */
   @ParameterizedTest
   @MethodSource("bundles")
@@ -96,7 +96,7 @@ class BundlesTest {
     final StringBuilder sources = new StringBuilder();
     try (Stream<Path> files = Files.walk(Path.of("src"))) {
       for (final Path file : files.filter(path -> path.toString().endsWith(".java")).collect(Collectors.toList())) {
-        sources.append(Files.readString(file));
+        sources.append(Files.readString(file).replace('"' + english.getParent().getFileName().toString() + '.', "\""));
       }
     }
     for (final String key : properties(english).stringPropertyNames()) {

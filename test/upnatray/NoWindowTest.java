@@ -23,7 +23,7 @@ class NoWindowTest {
     final CommandLine.Result result = new CommandLine(folder).with("-verbose:class")
         .run(SCENE, "--width", "32", "-o", "a.png");
     assertEquals(0, result.status(), result.err());
-    assertTrue(result.out().contains(" upnatray.Synthesis "), "the classes are listed");
+    assertTrue(result.out().contains(" rendering.TileRenderer "), "the classes are listed");
     for (final String other : List.of(" window.", " inspection.", " javax.swing.", " com.formdev.", " java.util.prefs.")) {
       assertFalse(result.out().contains(other), other);
     }
