@@ -9,27 +9,25 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicLong;
 
-import models.Group3D;
 import rendering.RenderSettings;
-import view.Camera;
 
 /**
- * Measures {@link Image#synthesis} on a work: {@code bench/render-work FILE THREADS SECONDS OUT.png}. It renders frames for
- * about
- * the given time and prints the line {@code RESULT mrays X percpu X build X load X hits X}: millions of rays per second by
- * the clock and per CPU second of the rendering threads, from the second half of the frames, when the code is compiled; the
- * seconds that building and loading took; and the share of pixels hit. With 0 seconds it renders one frame.
+ * Measures how fast a work is rendered: {@code bench/render-work FILE THREADS SECONDS OUT.png}, where FILE is a
+ * {@code .work} file or a scene file. It renders frames for about the given time and prints the line
+ * {@code RESULT mrays X percpu X build X load X hits X}: millions of pixels per second by the clock and per CPU second of
+ * the rendering threads, from the second half of the frames, when the code is compiled; the seconds that building and
+ * loading took; and the share of pixels that are not background. With 0 seconds it renders one frame.
  */
 public final class RenderWork {
 
   /** Fewest frames, unless they take too long: the first ones run before the code is compiled. */
   private static final int FEWEST = 6;
 
-  private final WorkFile work;
+  private final Work work;
   private final int threads;
   private final AtomicLong cpu = new AtomicLong();
 
-  private RenderWork(final WorkFile work, final int threads) {
+  private RenderWork(final Work work, final int threads) {
     this.work = work;
     this.threads = threads;
   }
@@ -57,7 +55,7 @@ public final class RenderWork {
     }
     try {
       final long begin = System.nanoTime();
-      final WorkFile work = WorkFile.read(Path.of(args[0]));
+      final Work work = Work.read(Path.of(args[0]));
       new RenderWork(work, threads).run(seconds, (System.nanoTime() - begin) * 1e-9, out);
       return 0;
     } catch (IOException failure) {
@@ -68,8 +66,7 @@ public final class RenderWork {
 
   private void run(final double seconds, final double load, final Path out) throws IOException {
     final long begin = System.nanoTime();
-    final Group3D scene = work.scene();
-    final Camera camera = work.camera();
+    work.build();
     final double build = (System.nanoTime() - begin) * 1e-9;
     final Image image = new Image(work.width(), work.height(), work.background());
     final double[] clock = new double[1 << 16], busy = new double[1 << 16];
@@ -78,7 +75,7 @@ public final class RenderWork {
     do {
       final long frame = System.nanoTime();
       cpu.set(seconds > 0 ? -threadTime() : 0);
-      image.synthesis(scene, camera, RenderSettings.STANDARD.withThreads(threads), seconds > 0 ? this::timed : Thread::new);
+      work.render(image, RenderSettings.STANDARD.withThreads(threads), seconds > 0 ? this::timed : Thread::new);
       clock[frames] = (System.nanoTime() - frame) * 1e-9;
       busy[frames++] = seconds > 0 ? (cpu.get() + threadTime()) * 1e-9 : threads * clock[0];
     } while (goesOn(frames, (System.nanoTime() - start) * 1e-9, seconds));
