@@ -22,19 +22,19 @@ import scenes.SceneFile;
 import tracer.Hit;
 import tracer.Ray;
 
-/** Asks all objects of a scene for one ray, groups and transformations opened up. */
+/** Intersects one ray with every object of a scene, descending into groups and transformations. */
 final class AllIntersections {
 
-  /** What the point of a hit may be off the ray, as a part of its distance and of its coordinates. */
-  private static final double OFF = 1e-4;
+  /** Largest distance of a hit's point from R + t v, relative to t and the point's coordinates. */
+  private static final double TOLERANCE = 1e-4;
 
   private final SceneFile scene;
   private final Ray sceneRay;
-  private final List<Intersection> meetings = new ArrayList<>();
+  private final List<Intersection> intersections = new ArrayList<>();
   private final Set<Object3D> seen = Collections.newSetFromMap(new IdentityHashMap<>());
   private final Deque<AffineTransformation> transformations = new ArrayDeque<>();
   private final Deque<Ray> rays = new ArrayDeque<>();
-  private Object3D whole;
+  private Object3D sceneObject;
   private String name = "";
 
   AllIntersections(final SceneFile scene, final Ray ray) {
@@ -44,71 +44,71 @@ final class AllIntersections {
 
   List<Intersection> all() {
     rays.push(sceneRay);
-    askParts(scene.objects());
-    return meetings;
+    visitMembers(scene.objects());
+    return intersections;
   }
 
-  private void askParts(final Group3D group) {
+  private void visitMembers(final Group3D group) {
     for (final Object3D part : group.getObjects()) {
       if (transformations.isEmpty()) {
         if (!seen.add(part)) {
           continue;
         }
-        whole = part;
+        sceneObject = part;
         name = scene.names().getOrDefault(part, "");
       }
-      ask(part);
+      visit(part);
     }
   }
 
-  private void ask(final Object3D object) {
+  private void visit(final Object3D object) {
     if (object instanceof Group3D group) {
-      askParts(group);
+      visitMembers(group);
     } else if (object instanceof AffineTransformation transformation) {
       transformations.push(transformation);
       rays.push(transformation.rayToObject(rays.peek()));
-      ask(transformation.getObject());
+      visit(transformation.getObject());
       rays.pop();
       transformations.pop();
     } else {
-      askShape(object);
+      testShape(object);
     }
   }
 
-  private void askShape(final Object3D object) {
-    final List<ContractViolation> findings = new ArrayList<>();
+  private void testShape(final Object3D object) {
+    final List<ContractViolation> violations = new ArrayList<>();
     Hit hit = Hit.NOHIT;
     String failure = "";
     try {
-      final Hit answer = object.intersectionWith(rays.peek());
-      if (answer == null) {
-        findings.add(ContractViolation.NULL_HIT);
+      final Hit result = object.intersectionWith(rays.peek());
+      if (result == null) {
+        violations.add(ContractViolation.NULL_HIT);
       } else {
-        hit = answer;
-        check(object, hit, findings);
+        hit = result;
+        check(object, hit, violations);
       }
     } catch (final RuntimeException | StackOverflowError thrown) {
-      findings.add(ContractViolation.EXCEPTION);
+      violations.add(ContractViolation.EXCEPTION);
       failure = text(thrown);
     }
-    final Optional<SphereTrace> march = march(object, hit.hits() || !findings.isEmpty());
-    if (hit.hits() || !findings.isEmpty() || march.isPresent()) {
-      final List<LocalRay> frames = new ArrayList<>();
-      final Hit inScene = inScene(hit, frames);
-      meetings.add(new Intersection(object, whole, name, inScene, false, frames, march, findings, failure));
+    final Optional<SphereTrace> trace = trace(object, hit.hits() || !violations.isEmpty());
+    if (hit.hits() || !violations.isEmpty() || trace.isPresent()) {
+      final List<LocalRay> localRays = new ArrayList<>();
+      final Hit sceneHit = toScene(hit, localRays);
+      intersections.add(new Intersection(object, sceneObject, name, sceneHit, false, localRays, trace, violations, failure));
     }
   }
 
-  /** What was thrown and where it comes from, as a file of sources and a line, if that is known. */
+  /** The exception and, if known, the source line that caused it. */
   private static String text(final Throwable thrown) {
     return thrown.getClass().getSimpleName() + (thrown.getMessage() == null ? "" : ": " + thrown.getMessage())
         + ThrowSite.of(thrown).map(call -> " (" + call.getFileName() + ":" + call.getLineNumber() + ")").orElse("");
   }
 
-  /** The march to an object; to one that is not met only if the ray crosses its box: then it is told why it was not met. */
-  private Optional<SphereTrace> march(final Object3D object, final boolean isMet) {
+  /** The sphere trace of a procedural object; of one that is missed only if the ray crosses its box. */
+  private Optional<SphereTrace> trace(final Object3D object, final boolean hits) {
     try {
-      return isMet || isCrossed(object.getBoundingBox()) ? SphereTrace.of(object, rays.peek()) : Optional.empty();
+      return hits || isCrossed(object.getBoundingBox()) ? SphereTrace.of(object, rays.peek()) : Optional.empty();
     } catch (final RuntimeException | StackOverflowError undefined) {
       return Optional.empty();
     }
@@ -119,59 +119,59 @@ final class AllIntersections {
     return box.isCrossedBy(ray.startX(), ray.startY(), ray.startZ(), ray.directionX(), ray.directionY(), ray.directionZ());
   }
 
-  private void check(final Object3D object, final Hit hit, final List<ContractViolation> findings) {
+  private void check(final Object3D object, final Hit hit, final List<ContractViolation> violations) {
     final Hit again = object.intersectionWith(rays.peek());
     if (again == null || again.getT() != hit.getT()) {
-      findings.add(ContractViolation.UNSTEADY);
+      violations.add(ContractViolation.INCONSISTENT);
     }
     if (!hit.hits()) {
       return;
     }
-    if (isOffRay(hit)) {
-      findings.add(ContractViolation.POINT_OFF_RAY);
+    if (isPointOffRay(hit)) {
+      violations.add(ContractViolation.POINT_OFF_RAY);
     }
-    checkBox(object, hit, findings);
+    checkBox(object, hit, violations);
   }
 
-  private boolean isOffRay(final Hit hit) {
+  private boolean isPointOffRay(final Hit hit) {
     final Ray ray = rays.peek();
     final double t = hit.getT();
     final double x = ray.startX() + t * ray.directionX() - hit.pointX(), y = ray.startY() + t * ray.directionY()
         - hit.pointY(), z = ray.startZ() + t * ray.directionZ() - hit.pointZ();
     final double size = t + Math.abs(hit.pointX()) + Math.abs(hit.pointY()) + Math.abs(hit.pointZ());
-    return !(Math.sqrt(x * x + y * y + z * z) <= OFF * size);
+    return !(Math.sqrt(x * x + y * y + z * z) <= TOLERANCE * size);
   }
 
-  private void checkBox(final Object3D object, final Hit hit, final List<ContractViolation> findings) {
+  private void checkBox(final Object3D object, final Hit hit, final List<ContractViolation> violations) {
     final Ray ray = rays.peek();
     final BoundingBox box = object.getBoundingBox();
     if (box == null) {
-      findings.add(ContractViolation.NULL_BOX);
+      violations.add(ContractViolation.NULL_BOX);
       return;
     }
     if (!isCrossed(box)) {
-      findings.add(ContractViolation.BOX_PASSED_BY);
+      violations.add(ContractViolation.BOX_MISSED_BY_RAY);
     }
     if (!box.contains(hit.getPoint())) {
-      findings.add(ContractViolation.POINT_OUTSIDE_BOX);
+      violations.add(ContractViolation.POINT_OUTSIDE_BOX);
     }
     final boolean open = object instanceof Plane || object instanceof Triangle || object instanceof TriangularMesh;
     final Point3D R = ray.getStartingPoint();
     if (!open && box.isFinite() && !box.contains(R) && hit.normalX() * ray.directionX()
-        + hit.normalY() * ray.directionY() + hit.normalZ() * ray.directionZ() > OFF) {
-      findings.add(ContractViolation.NORMAL_INWARD);
+        + hit.normalY() * ray.directionY() + hit.normalZ() * ray.directionZ() > TOLERANCE) {
+      violations.add(ContractViolation.NORMAL_INWARD);
     }
   }
 
-  /** Takes a hit out of all transformations, and notes what it is in the frame of each. */
-  private Hit inScene(final Hit hit, final List<LocalRay> frames) {
+  /** Transforms a hit to the scene, recording ray and hit in the frame of each transformation. */
+  private Hit toScene(final Hit hit, final List<LocalRay> localRays) {
     final Ray[] inner = rays.toArray(new Ray[0]);
-    Hit outside = hit;
+    Hit outer = hit;
     int i = 0;
     for (final AffineTransformation transformation : transformations) {
-      frames.add(0, new LocalRay(transformation, inner[i], outside));
-      outside = transformation.hitToScene(inner[++i], outside);
+      localRays.add(0, new LocalRay(transformation, inner[i], outer));
+      outer = transformation.hitToScene(inner[++i], outer);
     }
-    return outside;
+    return outer;
   }
 }

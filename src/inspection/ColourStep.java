@@ -1,23 +1,23 @@
 package inspection;
 
 /**
- * A step of the way from a hit to the colour of its pixel.
+ * A step in computing the colour of a pixel from its hit.
  *
- * @param kind what happens
- * @param number the number that it gives, if it gives one; else 0
- * @param argb the colour after it, sRGB with alpha
+ * @param kind the kind of step
+ * @param number the number it computes; 0 if it computes none
+ * @param argb the colour after the step, sRGB with alpha
  */
 public record ColourStep(Kind kind, double number, int argb) {
 
-  /** What happens in a step. */
+  /** The kinds of steps. */
   public enum Kind {
     /** The projection sends no ray through the pixel: the colour of the background. */
     NO_RAY,
-    /** The ray meets nothing: the colour of the background. */
+    /** The ray hits nothing: the colour of the background. */
     BACKGROUND,
-    /** The colour of the object that is met. */
+    /** The colour of the closest object. */
     OBJECT,
-    /** The cosine between the ray and the normal on its side, the number, times red, green and blue. */
+    /** Red, green and blue are multiplied by the number, the cosine between the ray and the normal on its side. */
     COSINE
   }
 }

@@ -6,27 +6,27 @@ import java.awt.image.BufferedImage;
 import java.util.Optional;
 
 /**
- * How two pictures of the same size differ. The difference of two pixels is the greatest of those of their four channels
- * (sRGB and alpha), 0 … 255.
+ * The difference between two pictures of the same size. The difference between two pixels is the largest of those of their
+ * four channels (sRGB and alpha), 0 … 255.
  *
  * @param differing number of pixels that differ
  * @param largest the largest difference, 0 … 255
- * @param mean mean difference over all pixels
+ * @param mean mean difference of all pixels
  * @param worstX column of the first pixel with the largest difference
  * @param worstY row of that pixel, from the top
- * @param mask black where the pictures are equal, from red to white the more they differ
+ * @param mask black where the pictures are equal, else from red to white with growing difference
  */
 public record Difference(long differing, int largest, double mean, int worstX, int worstY, BufferedImage mask) {
 
-  /** Brightness of the least difference in the mask, so that none is overlooked. */
-  private static final double LEAST_SEEN = 0.25;
+  /** Brightness of the smallest difference in the mask, chosen so that it is visible. */
+  private static final double MIN_BRIGHTNESS = 0.25;
 
   /**
    * Compares two pictures.
    *
    * @param picture a picture
-   * @param reference another
-   * @return how they differ; empty if they are not of the same size
+   * @param reference the picture to compare it with
+   * @return their difference; empty if their sizes differ
    * @throws IllegalArgumentException if a picture is null
    */
   public static Optional<Difference> between(final BufferedImage picture, final BufferedImage reference) {
@@ -41,7 +41,7 @@ public record Difference(long differing, int largest, double mean, int worstX, i
       final int[] row = picture.getRGB(0, y, W, 1, null, 0, W), other = reference.getRGB(0, y, W, 1, null, 0, W);
       for (int x = 0; x < W; x++) {
         final int difference = difference(row[x], other[x]);
-        row[x] = difference == 0 ? 0 : rendering.ColourScale.heat(LEAST_SEEN + (1 - LEAST_SEEN) * difference / 255);
+        row[x] = difference == 0 ? 0 : rendering.ColourScale.heat(MIN_BRIGHTNESS + (1 - MIN_BRIGHTNESS) * difference / 255);
         differing += difference == 0 ? 0 : 1;
         sum += difference;
         if (difference > largest) {

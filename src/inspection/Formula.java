@@ -1,12 +1,12 @@
 package inspection;
 
 /**
- * A formula of the assignment and what it gives for some numbers.
+ * A formula of the assignment, evaluated.
  *
- * @param symbol what it defines
- * @param general the formula as the assignment has it; empty for a number that is given
- * @param numbers the same with the numbers in it; empty if there is nothing to compute
- * @param value what comes out
+ * @param symbol the symbol that it defines
+ * @param general the formula as in the assignment; empty for a given quantity
+ * @param numbers the formula with numbers substituted; empty if there is nothing to compute
+ * @param value the result
  */
 public record Formula(String symbol, String general, String numbers, String value) {
 

@@ -4,41 +4,41 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * All that is to be known of a pixel.
+ * Everything known about a pixel.
  *
  * @param pixel the pixel and its ray
- * @param meetings the objects that the ray meets, in the order of t; at the end those that it does not meet but that have
- *     findings or a march
- * @param colour how the colour comes about, step by step; the last step has the colour of the pixel
- * @param tests what finding the closest hit cost, see {@link models.Cost}
+ * @param intersections the objects hit by the ray in order of t, followed by missed objects that have violations or a
+ *     sphere trace
+ * @param colour the steps that compute the colour; the last one has the colour of the pixel
+ * @param tests cost of finding the closest hit, see {@link models.Cost}
  */
-public record Inspection(PixelRay pixel, List<Intersection> meetings, List<ColourStep> colour, int tests) {
+public record Inspection(PixelRay pixel, List<Intersection> intersections, List<ColourStep> colour, int tests) {
 
   /**
    * Copies the lists.
    *
    * @param pixel the pixel and its ray
-   * @param meetings the objects that the ray meets, in the order of t; at the end those that it does not meet but that
-   *     have findings or a march
-   * @param colour how the colour comes about, step by step; the last step has the colour of the pixel
-   * @param tests what finding the closest hit cost, see {@link models.Cost}
+   * @param intersections the objects hit by the ray in order of t, followed by missed objects that have violations or a
+   *     sphere trace
+   * @param colour the steps that compute the colour; the last one has the colour of the pixel
+   * @param tests cost of finding the closest hit, see {@link models.Cost}
    */
   public Inspection {
-    meetings = List.copyOf(meetings);
+    intersections = List.copyOf(intersections);
     colour = List.copyOf(colour);
   }
 
   /**
-   * The meeting that is painted.
+   * The intersection that is shown.
    *
-   * @return the closest; empty if nothing is met
+   * @return the closest intersection; empty if the ray hits nothing
    */
   public Optional<Intersection> winner() {
-    return meetings.stream().filter(Intersection::winner).findFirst();
+    return intersections.stream().filter(Intersection::winner).findFirst();
   }
 
   /**
-   * Colour of the pixel.
+   * The colour of the pixel.
    *
    * @return sRGB with alpha
    */

@@ -18,8 +18,8 @@ import upnatray.RenderJob;
 import rendering.Shading;
 
 /**
- * Answers questions about the pixels of a picture. It asks every object of the scene, one after the other and without any
- * tree, so it also finds what an object answers that a rendering would not have asked.
+ * Inspects the pixels of a picture. It intersects the ray with every object of the scene, without an acceleration structure,
+ * and so also finds hits of objects that a rendering would not have tested.
  */
 public final class Inspector {
 
@@ -32,7 +32,7 @@ public final class Inspector {
    * @param scene the scene, whose camera has a projection
    * @param W width of the picture in pixels, at least 1
    * @param H height of the picture in pixels, at least 1
-   * @throws IllegalArgumentException if the scene is null or the picture has no pixel
+   * @throws IllegalArgumentException if the scene is null, or W or H is not positive
    */
   public Inspector(final SceneFile scene, final int W, final int H) {
     this.scene = notNull("scene", scene);
@@ -44,7 +44,7 @@ public final class Inspector {
    *
    * @param m column, 0 … W − 1 from the left
    * @param n row, 0 … H − 1 from the bottom
-   * @return what there is to know of it
+   * @return the inspection
    * @throws IllegalArgumentException if there is no such pixel
    */
   public Inspection inspect(final int m, final int n) {
@@ -53,13 +53,13 @@ public final class Inspector {
     final String projection = scene.camera().getProjection().getClass().getSimpleName();
     final List<Formula> formulas = new RayFormulas(scene.camera(), W, H, m, n).of(ray);
     final Hit hit = closest(m, n);
-    return new Inspection(new PixelRay(m, n, W, H, projection, formulas, ray), meetings(ray, hit), colour(ray, hit),
+    return new Inspection(new PixelRay(m, n, W, H, projection, formulas, ray), intersections(ray, hit), colour(ray, hit),
         tests(ray));
   }
 
   /**
-   * What the scene itself answers for the tile of the picture that the pixel is in: not what a mistake in some object, such
-   * as too small a box, keeps it from finding there.
+   * The closest hit that a rendering finds, by the tile of rays that the pixel belongs to. Mistakes in an object, such as a
+   * bounding box that is too small, take effect here as they do in the picture.
    */
   private Hit closest(final int m, final int n) {
     final int column = m % RayTile.SIZE, row = n % RayTile.SIZE, firstM = m - column, firstN = n - row;
@@ -77,20 +77,20 @@ public final class Inspector {
     }
   }
 
-  private List<Intersection> meetings(final Ray ray, final Hit closest) {
-    final List<Intersection> meetings = ray == Ray.NORAY ? new ArrayList<>() : new ArrayList<>(new AllIntersections(scene,
-        ray).all());
-    meetings.sort(Comparator.comparing(meeting -> meeting.hit().getT()));
-    for (int i = 0; i < meetings.size(); i++) {
-      if (closest.hits() && meetings.get(i).hit().getObject() == closest.getObject()) {
-        meetings.set(i, meetings.get(i).asWinner());
+  private List<Intersection> intersections(final Ray ray, final Hit closest) {
+    final List<Intersection> intersections = ray == Ray.NORAY ? new ArrayList<>()
+        : new ArrayList<>(new AllIntersections(scene, ray).all());
+    intersections.sort(Comparator.comparing(intersection -> intersection.hit().getT()));
+    for (int i = 0; i < intersections.size(); i++) {
+      if (closest.hits() && intersections.get(i).hit().getObject() == closest.getObject()) {
+        intersections.set(i, intersections.get(i).asWinner());
         break;
       }
     }
-    return meetings;
+    return intersections;
   }
 
-  /** An object that answers wrongly may keep the question from being asked. */
+  /** The cost of the ray; 0 if an object throws. */
   private int tests(final Ray ray) {
     try {
       return Cost.of(scene.objects(), ray);

@@ -8,42 +8,40 @@ import models.Object3D;
 import tracer.Hit;
 
 /**
- * An object that a ray meets, or that answered it wrongly.
+ * The intersection of a ray with an object, which may be a miss if the object violated its contract.
  *
- * @param object the object that was met, inside of all groups and transformations
- * @param whole the object of the scene that it is part of; the same if it is not part of another
- * @param name what the scene calls it; empty if it has no name
- * @param hit the hit, in the scene; {@link Hit#NOHIT} if there are only findings to tell
- * @param winner whether it is what the scene answers, the one that is painted
- * @param frames for an object that is transformed its ray and hit in its own frame, from the outermost transformation to the
- *     innermost
- * @param march for an object that is marched to, the march in its own frame
- * @param findings what is wrong with the answer
- * @param failure the exception, if it threw one, with its place
+ * @param object the innermost object, without groups and transformations
+ * @param sceneObject the object of the scene that contains it, or the object itself
+ * @param name its name in the scene file; empty if it has none
+ * @param hit the hit in scene coordinates; {@link Hit#NOHIT} for a miss
+ * @param winner whether it is the closest hit, which is shown in the picture
+ * @param localRays rays and hits in the frames of the transformations, from the outermost to the innermost
+ * @param trace the sphere trace of a procedural object, in its own frame
+ * @param violations the violations of the contract
+ * @param failure the exception that it threw, with its source line; empty if none
  */
-public record Intersection(Object3D object, Object3D whole, String name, Hit hit, boolean winner, List<LocalRay> frames,
-    Optional<SphereTrace> march, List<ContractViolation> findings, String failure) {
+public record Intersection(Object3D object, Object3D sceneObject, String name, Hit hit, boolean winner,
+    List<LocalRay> localRays, Optional<SphereTrace> trace, List<ContractViolation> violations, String failure) {
 
   /**
    * Copies the lists.
    *
-   * @param object the object that was met, inside of all groups and transformations
-   * @param whole the object of the scene that it is part of; the same if it is not part of another
-   * @param name what the scene calls it; empty if it has no name
-   * @param hit the hit, in the scene; {@link Hit#NOHIT} if there are only findings to tell
-   * @param winner whether it is what the scene answers, the one that is painted
-   * @param frames for an object that is transformed its ray and hit in its own frame, from the outermost
-   *     transformation to the innermost
-   * @param march for an object that is marched to, the march in its own frame
-   * @param findings what is wrong with the answer
-   * @param failure the exception, if it threw one, with its place
+   * @param object the innermost object, without groups and transformations
+   * @param sceneObject the object of the scene that contains it, or the object itself
+   * @param name its name in the scene file; empty if it has none
+   * @param hit the hit in scene coordinates; {@link Hit#NOHIT} for a miss
+   * @param winner whether it is the closest hit, which is shown in the picture
+   * @param localRays rays and hits in the frames of the transformations, from the outermost to the innermost
+   * @param trace the sphere trace of a procedural object, in its own frame
+   * @param violations the violations of the contract
+   * @param failure the exception that it threw, with its source line; empty if none
    */
   public Intersection {
-    frames = List.copyOf(frames);
-    findings = List.copyOf(findings);
+    localRays = List.copyOf(localRays);
+    violations = List.copyOf(violations);
   }
 
   Intersection asWinner() {
-    return new Intersection(object, whole, name, hit, true, frames, march, findings, failure);
+    return new Intersection(object, sceneObject, name, hit, true, localRays, trace, violations, failure);
   }
 }

@@ -16,37 +16,37 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * Writes the hit of a pixel down as a JUnit 5 method, which makes the ray and the object anew and asserts what was found.
- * All names are complete, so that it compiles wherever it is pasted.
+ * Writes a JUnit 5 test method that recreates the ray and the object of a pixel and asserts the hit. All names are fully
+ * qualified, so it compiles wherever it is pasted.
  *
- * <p>The object is made of {@link Object3D#constructorArguments}; of a mesh, the triangle that was met. Of an object that
- * does not tell them the method says so when it is run.
+ * <p>The object is recreated from {@link Object3D#constructorArguments}; of a mesh, only the triangle that was hit. If an
+ * object does not provide them, the test fails with a message that asks for it.
  */
 public final class JUnitTestWriter {
 
   private static final String NEW_LINE = "\n";
 
-  /** Part of t, and of coordinates, that a hit found again may be off: the object's numbers were rounded to floats. */
+  /** Relative tolerance for t and the coordinates: the object's numbers were rounded to floats. */
   private static final float TOLERANCE = 1e-4f;
 
   private final Inspection inspection;
-  private final Intersection meeting;
+  private final Intersection intersection;
 
-  private JUnitTestWriter(final Inspection inspection, final Intersection meeting) {
+  private JUnitTestWriter(final Inspection inspection, final Intersection intersection) {
     this.inspection = inspection;
-    this.meeting = meeting;
+    this.intersection = intersection;
   }
 
   /**
-   * The test of a meeting.
+   * Writes the test of an intersection.
    *
-   * @param inspection what is known of the pixel
-   * @param meeting one of its meetings
-   * @return a method of a class, indented by two blanks, with an end of line
+   * @param inspection the inspection of the pixel
+   * @param intersection one of its intersections
+   * @return the source of the method, indented by two blanks, with a final line end
    * @throws IllegalArgumentException if an argument is null
    */
-  public static String of(final Inspection inspection, final Intersection meeting) {
-    return new JUnitTestWriter(notNull("inspection", inspection), notNull("meeting", meeting)).text();
+  public static String of(final Inspection inspection, final Intersection intersection) {
+    return new JUnitTestWriter(notNull("inspection", inspection), notNull("intersection", intersection)).text();
   }
 
   private String text() {
@@ -55,13 +55,13 @@ public final class JUnitTestWriter {
     final StringJoiner text = new StringJoiner(NEW_LINE, "", NEW_LINE);
     text.add("  /** Pixel (" + pixel.m() + ", " + pixel.n() + ") of " + pixel.W() + " x " + pixel.H() + ". */");
     text.add("  @org.junit.jupiter.api.Test");
-    text.add("  void pixel" + pixel.m() + "And" + pixel.n() + "Meets"
-        + meeting.object().getClass().getSimpleName() + "() {");
-    text.add("    final models.Object3D object = " + object(meeting.whole()) + ";");
+    text.add("  void pixel" + pixel.m() + "And" + pixel.n() + "Hits"
+        + intersection.object().getClass().getSimpleName() + "() {");
+    text.add("    final models.Object3D object = " + object(intersection.sceneObject()) + ";");
     text.add("    final tracer.Ray ray = new tracer.Ray(" + tuple("primitives.Point3D", ray.getStartingPoint()) + ",");
     text.add("        " + tuple("primitives.Vector3D", ray.getDirection()) + ");");
     text.add("    final tracer.Hit hit = object.intersectionWith(ray);");
-    addAssertions(text, meeting.hit());
+    addAssertions(text, intersection.hit());
     text.add("  }");
     return text.toString();
   }
@@ -82,13 +82,13 @@ public final class JUnitTestWriter {
         + "), 1e-3f);");
   }
 
-  /** The expression that makes an object; of a group, the object within that was met. */
+  /** The expression that recreates an object; for a group, the contained object that was hit. */
   private String object(final Object3D object) {
     if (object instanceof Group3D) {
-      return object(meeting.object());
+      return object(intersection.object());
     }
-    if (object instanceof TriangularMesh && meeting.hit().hits()) {
-      return object(meeting.hit().getObject());
+    if (object instanceof TriangularMesh && intersection.hit().hits()) {
+      return object(intersection.hit().getObject());
     }
     final List<Object> arguments = object.constructorArguments();
     final String name = object.getClass().getCanonicalName();

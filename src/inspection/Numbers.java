@@ -5,13 +5,13 @@ import java.util.Locale;
 
 import javax.vecmath.Tuple3f;
 
-/** Numbers as text, with a point for the decimals whatever the language, and none where there are no decimals. */
+/** Formats numbers, with a decimal point in every language and without trailing zeros. */
 public final class Numbers {
 
   private Numbers() {
   }
 
-  /** A number that was computed in double, with seven digits. */
+  /** Formats a double with seven significant digits. */
   static String text(final double number) {
     if (number == 0) {
       return "0";
@@ -24,10 +24,10 @@ public final class Numbers {
   }
 
   /**
-   * A float with as many digits as tell it from all others.
+   * Formats a float with as many digits as distinguish it from all others.
    *
    * @param number any number
-   * @return the number; with a power of ten only below 0.0001 and from ten million on
+   * @return its decimal representation, in scientific notation below 0.0001 and from ten million
    */
   public static String text(final float number) {
     if (number == 0) {
@@ -38,10 +38,10 @@ public final class Numbers {
   }
 
   /**
-   * A point or a vector.
+   * Formats a point or a vector.
    *
    * @param tuple its coordinates
-   * @return them as {@link #text(float)} has them, in parentheses
+   * @return the coordinates as by {@link #text(float)}, in parentheses
    */
   public static String text(final Tuple3f tuple) {
     return "(" + text(tuple.x) + ", " + text(tuple.y) + ", " + text(tuple.z) + ")";

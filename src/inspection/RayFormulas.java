@@ -11,7 +11,7 @@ import view.Orthographic;
 import view.Perspective;
 import view.Projection;
 
-/** The formulas of the assignment's projections, with the numbers of one pixel. */
+/** The formulas of the assignment's projections, evaluated for one pixel. */
 final class RayFormulas {
 
   private final Camera camera;
@@ -62,7 +62,7 @@ final class RayFormulas {
     formulas.add(new Formula("v", "look", "", Numbers.text(camera.getLook())));
   }
 
-  /** The ray from the camera through a point of its frame. */
+  /** The ray from the eye through a point of the camera's frame. */
   private void throughPoint(final float x, final float y, final float z) {
     final Point3D Q = new Point3D(x, y, z);
     camera.toSceneCoordinates(Q);
@@ -94,8 +94,8 @@ final class RayFormulas {
     add(cap.rimName(), "w / 2", Numbers.text(projection.getWidth()) + " / 2", cap.rim());
     add("ρ", "√(x² + y²)", "√(" + Numbers.text(x) + "² + " + Numbers.text(y) + "²)", rho);
     if (ray == Ray.NORAY) {
-      final String outside = Numbers.text(rho) + " > " + Numbers.text(cap.rim());
-      formulas.add(new Formula("R, v", "ρ > " + cap.rimName(), outside, "NORAY"));
+      final String comparison = Numbers.text(rho) + " > " + Numbers.text(cap.rim());
+      formulas.add(new Formula("R, v", "ρ > " + cap.rimName(), comparison, "NORAY"));
       return;
     }
     final String numbers = "−√(" + Numbers.text(cap.radius2()) + " − " + Numbers.text(rho * rho) + ")";

@@ -5,8 +5,8 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * Where an exception comes from: who gave something wrong to a method of the JDK, of vecmath, or that checks arguments, and
- * not where in that method it was noticed.
+ * Finds the call that caused an exception: the innermost one outside the JDK, vecmath and the checks of arguments, which
+ * merely detect the mistake of their caller.
  */
 public final class ThrowSite {
 
@@ -14,10 +14,10 @@ public final class ThrowSite {
   }
 
   /**
-   * The place where an exception comes from.
+   * The call that caused an exception.
    *
    * @param thrown the exception
-   * @return the call, with its file and line; empty if the file is not known
+   * @return the call with its source file and line; empty if the file is unknown
    */
   public static Optional<StackTraceElement> of(final Throwable thrown) {
     final StackTraceElement[] trace = thrown.getStackTrace();

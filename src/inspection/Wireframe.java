@@ -21,50 +21,50 @@ import view.Orthographic;
 import view.Projection;
 
 /**
- * A scene and its camera as a line drawing in space: the camera's frame, the window of the projection with its grid of
- * pixels, the boxes of the objects, and the ray of a pixel. It is for looking at from outside.
+ * A three-dimensional line drawing of a scene and its camera: the camera's axes, the window of the projection with its grid
+ * of pixels, the bounding boxes of the objects and the ray of a pixel.
  */
 public final class Wireframe {
 
-  /** More boxes than this would be a tangle. */
-  private static final int MOST_BOXES = 2000;
+  /** Maximum number of boxes: more would be illegible. */
+  private static final int MAX_BOXES = 2000;
 
-  /** Lines of the pixel grid to each side, at most; where there are more pixels, each square stands for several. */
-  private static final int MOST_GRID_LINES = 16;
+  /** Maximum number of grid lines in each direction; a cell of the grid may stand for several pixels. */
+  private static final int MAX_GRID_LINES = 16;
 
-  /** What a line is part of. */
+  /** The kinds of lines. */
   public enum Kind {
-    /** The camera's x. */
+    /** The camera's x axis. */
     AXIS_X,
-    /** The camera's y. */
+    /** The camera's y axis. */
     AXIS_Y,
-    /** The camera's z, against the view. */
+    /** The camera's z axis, opposite to the viewing direction. */
     AXIS_Z,
-    /** The rim of the window of the projection. */
+    /** The border of the window of the projection. */
     WINDOW,
-    /** The pixels in the window. */
+    /** The grid of pixels in the window. */
     GRID,
-    /** From the camera through the corners of the window, or through the rim of a fish-eye. */
+    /** Lines of sight through the corners of the window, or through the rim of a fish-eye. */
     FRUSTUM,
-    /** The box of an object. */
+    /** The bounding box of an object. */
     BOX,
-    /** The box of an object around the camera, such as a sky. */
+    /** The bounding box of an object that contains the camera, such as a sky. */
     AROUND,
-    /** A square of a plane, which has no end. */
+    /** A square patch of an infinite plane. */
     PLANE,
-    /** The ray of the pinned pixel, up to what it meets. */
+    /** The ray of the pinned pixel, up to its hit. */
     RAY,
-    /** The normal where it meets it. */
+    /** The normal at the hit. */
     NORMAL
   }
 
   /**
    * A line between two points of the scene.
    *
-   * @param kind what it is part of
+   * @param kind the kind of line
    * @param from one end
    * @param to the other end
-   * @param argb colour of the object that a box is about, or of a plane; 0 if it has none, and for all other kinds
+   * @param argb colour of the object of a box or plane; 0 if it has none, and for all other kinds
    */
   public record Line(Kind kind, Point3D from, Point3D to, int argb) {
   }
@@ -85,54 +85,54 @@ public final class Wireframe {
   }
 
   /**
-   * The drawing of a scene.
+   * Draws a scene.
    *
    * @param scene the scene, whose camera has a projection
    * @param W width of the picture in pixels, at least 1
    * @param H height of the picture in pixels, at least 1
    * @return the lines, without a ray
-   * @throws IllegalArgumentException if the scene is null or there is no pixel
+   * @throws IllegalArgumentException if the scene is null, or W or H is not positive
    */
   public static List<Line> of(final SceneFile scene, final int W, final int H) {
     return of(scene, W, H, Ray.NORAY, Hit.NOHIT);
   }
 
   /**
-   * The drawing of a scene with a ray.
+   * Draws a scene with a ray.
    *
    * @param scene the scene, whose camera has a projection
    * @param W width of the picture in pixels, at least 1
    * @param H height of the picture in pixels, at least 1
    * @param ray the ray; {@link Ray#NORAY} for none
-   * @param hit what it meets; {@link Hit#NOHIT} for nothing
+   * @param hit its hit; {@link Hit#NOHIT} for none
    * @return the lines
-   * @throws IllegalArgumentException if an argument is null or there is no pixel
+   * @throws IllegalArgumentException if an argument is null, or W or H is not positive
    */
   public static List<Line> of(final SceneFile scene, final int W, final int H, final Ray ray, final Hit hit) {
-    final Wireframe outline = new Wireframe(scene, W, H);
-    outline.addBoxes(scene.objects());
-    outline.bounds = bounds(outline.lines).union(outline.bounds);
-    outline.addPlanes(scene.objects());
-    outline.addCamera();
+    final Wireframe wireframe = new Wireframe(scene, W, H);
+    wireframe.addBoxes(scene.objects());
+    wireframe.bounds = bounds(wireframe.lines).union(wireframe.bounds);
+    wireframe.addPlanes(scene.objects());
+    wireframe.addCamera();
     if (notNull("ray", ray) != Ray.NORAY) {
-      outline.addRay(ray, notNull("hit", hit));
+      wireframe.addRay(ray, notNull("hit", hit));
     }
-    return List.copyOf(outline.lines);
+    return List.copyOf(wireframe.lines);
   }
 
   /**
-   * The box of what is to be seen of a drawing: without the lines from the camera through the corners of the window, and
-   * without what is around the camera, unless there are no other objects.
+   * The bounding box of the interesting part of a drawing: without the lines of sight, and without objects that contain the
+   * camera unless there are no others.
    *
    * @param lines a drawing
    * @return the box
    * @throws IllegalArgumentException if the lines are null
    */
   public static BoundingBox bounds(final List<Line> lines) {
-    final boolean inside = notNull("lines", lines).stream().noneMatch(line -> line.kind() == Kind.BOX);
+    final boolean noOthers = notNull("lines", lines).stream().noneMatch(line -> line.kind() == Kind.BOX);
     BoundingBox box = BoundingBox.EMPTY;
     for (final Line line : lines) {
-      if (line.kind() != Kind.FRUSTUM && (inside || line.kind() != Kind.AROUND)) {
+      if (line.kind() != Kind.FRUSTUM && (noOthers || line.kind() != Kind.AROUND)) {
         box = box.union(new BoundingBox(line.from(), line.from())).union(new BoundingBox(line.to(), line.to()));
       }
     }
@@ -144,13 +144,13 @@ public final class Wireframe {
       final BoundingBox box = boxOf(object);
       if (object instanceof Group3D part) {
         addBoxes(part);
-      } else if (box != null && box.isFinite() && lines.size() < MOST_BOXES * 12) {
+      } else if (box != null && box.isFinite() && lines.size() < MAX_BOXES * 12) {
         addBox(box, object.getColor() == null ? 0 : object.getColor().getRGB());
       }
     }
   }
 
-  /** The box of an object; null for one that cannot tell. The inspector tells of it, the drawing does without. */
+  /** The bounding box of an object; null if it throws, which the inspector reports. */
   private static BoundingBox boxOf(final Object3D object) {
     try {
       return object.getBoundingBox();
@@ -159,7 +159,7 @@ public final class Wireframe {
     }
   }
 
-  /** Each edge joins two corners that differ in one coordinate, which are numbered by their bits. */
+  /** Adds the edges: each joins two corners whose numbers differ in one bit, which stands for a coordinate. */
   private void addBox(final BoundingBox box, final int argb) {
     final Kind kind = box.contains(camera.getPosition()) ? Kind.AROUND : Kind.BOX;
     for (int corner = 0; corner < 8; corner++) {
@@ -181,8 +181,8 @@ public final class Wireframe {
       if (object instanceof Group3D part) {
         addPlanes(part);
       } else if (object instanceof Plane plane) {
-        addSquare(plane, plane.intersectionWith(new Ray(middle(), normal(plane))),
-            plane.intersectionWith(new Ray(middle(), opposite(normal(plane)))));
+        addSquare(plane, plane.intersectionWith(new Ray(centre(), normal(plane))),
+            plane.intersectionWith(new Ray(centre(), opposite(normal(plane)))));
       }
     }
   }
@@ -195,15 +195,15 @@ public final class Wireframe {
     return new Vector3D(-v.x, -v.y, -v.z);
   }
 
-  private Point3D middle() {
-    final Point3D middle = bounds.getMin();
-    middle.interpolate(bounds.getMax(), 0.5f);
-    return middle;
+  private Point3D centre() {
+    final Point3D centre = bounds.getMin();
+    centre.interpolate(bounds.getMax(), 0.5f);
+    return centre;
   }
 
-  /** A square about the foot of the middle of all else on a plane, to whichever side of the plane that is. */
+  /** Adds a square patch of a plane around the projection of the scene's centre, on whichever side that lies. */
   private void addSquare(final Plane plane, final Hit ahead, final Hit behind) {
-    final Point3D foot = ahead.hits() ? ahead.getPoint() : behind.hits() ? behind.getPoint() : middle();
+    final Point3D foot = ahead.hits() ? ahead.getPoint() : behind.hits() ? behind.getPoint() : centre();
     final Vector3D n = normal(plane), u = new Vector3D(), v = new Vector3D();
     u.cross(n, Math.abs(n.x) < 0.7f ? new Vector3D(1, 0, 0) : new Vector3D(0, 1, 0));
     u.normalize();
@@ -219,7 +219,7 @@ public final class Wireframe {
     }
   }
 
-  /** Size of all that is drawn. */
+  /** Diameter of the drawing. */
   private float size() {
     return Math.max(1, bounds.getMin().distance(bounds.getMax()));
   }
@@ -244,7 +244,7 @@ public final class Wireframe {
     }
   }
 
-  /** The line of sight through a point of the window. */
+  /** Adds the line of sight through a point of the window. */
   private void addFrustum(final float x, final float y, final float z) {
     final float far = Math.max(1, 0.5f * size());
     if (camera.getProjection() instanceof Orthographic) {
@@ -265,16 +265,16 @@ public final class Wireframe {
     }
   }
 
-  /** Pixels between two lines of the grid: a power of two. */
+  /** Number of pixels between two grid lines, a power of two. */
   private static int step(final int pixels) {
     int step = 1;
-    while (pixels / step > MOST_GRID_LINES) {
+    while (pixels / step > MAX_GRID_LINES) {
       step *= 2;
     }
     return step;
   }
 
-  /** The rim of a fish-eye's cap, and two arcs across the cap. */
+  /** Adds the rim of a fish-eye's cap and two arcs across it. */
   private void addCap(final FishEyeCap cap) {
     final int parts = 48;
     final float z = (float) cap.z(cap.rim());
@@ -300,7 +300,7 @@ public final class Wireframe {
     }
   }
 
-  /** Adds a line of the camera's frame. */
+  /** Adds a line given in the camera's frame. */
   private void add(final Kind kind, final float x1, final float y1, final float z1, final float x2, final float y2,
       final float z2) {
     final Point3D from = new Point3D(x1, y1, z1), to = new Point3D(x2, y2, z2);

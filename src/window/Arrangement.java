@@ -11,24 +11,24 @@ import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 
-/** Where the parts of the window are: the picture gets all the room that is left. */
+/** The layout of the window: the picture takes all the space that the other parts leave. */
 final class Arrangement {
 
   private Arrangement() {
   }
 
-  /** The picture with its legend, the problems below it, the inspector beside them. */
+  /** Lays out the picture with its legend, the problems below it and the inspector beside them. */
   static JComponent of(final PictureView view, final LegendView legend, final ProblemTable problems,
       final InspectorPanel inspector) {
     final JPanel picture = new JPanel(new BorderLayout());
     picture.add(view, BorderLayout.CENTER);
     picture.add(legend, BorderLayout.EAST);
     picture.setMinimumSize(new Dimension(200, 150));
-    return split(JSplitPane.HORIZONTAL_SPLIT, whenNeeded(picture, problems), inspector);
+    return split(JSplitPane.HORIZONTAL_SPLIT, withProblems(picture, problems), inspector);
   }
 
-  /** The problems get their room when there are some, and give it back. */
-  private static JSplitPane whenNeeded(final JComponent picture, final JComponent problems) {
+  /** Shows the problems below the picture only while there are any. */
+  private static JSplitPane withProblems(final JComponent picture, final JComponent problems) {
     final JSplitPane split = split(JSplitPane.VERTICAL_SPLIT, picture, problems);
     final int divider = split.getDividerSize();
     split.setDividerSize(0);
@@ -54,7 +54,7 @@ final class Arrangement {
     return split;
   }
 
-  /** Puts the frame where it was the last time, or in the middle if that is no longer on the screen. */
+  /** Restores the previous bounds of the frame, or centres it if they are no longer on the screen. */
   static void place(final JFrame frame, final Rectangle bounds) {
     frame.setSize(bounds.getSize());
     if (bounds.x >= 0 && frame.getGraphicsConfiguration().getBounds().intersects(bounds)) {

@@ -13,34 +13,34 @@ import scenes.SceneReader;
 import upnatray.RenderJob;
 import rendering.RenderPass;
 
-/** Reads and renders scenes in the background, the latest wish first: a rendering that is no longer wanted is cancelled. */
+/** Reads and renders scenes in the background. A new request cancels the rendering in progress. */
 final class BackgroundRenderer {
 
-  /** Is told by the event thread what becomes of the latest wish, and of no other. */
+  /** Receives the events of the latest request, and of no other, on the event dispatch thread. */
   interface Listener {
 
-    /** A scene was read, perhaps with errors only. */
-    void read(ReadResult reading);
+    /** A scene file has been read, though it may have errors and yield no scene. */
+    void read(ReadResult result);
 
-    /** A rendering begins. */
-    void started(RenderJob job, ProgressivePicture canvas);
+    /** A rendering has started. */
+    void started(RenderJob job, ProgressivePicture picture);
 
-    /** A rendering came to its end, or was cancelled. */
+    /** A rendering has completed or been cancelled. */
     void finished(RenderJob job, boolean completed);
 
-    /** A rendering failed: a shape threw an exception, or memory is full. */
+    /** A rendering has failed: a shape threw an exception, or memory ran out. */
     void failed(Throwable failure);
   }
 
   /**
    * What to render.
    *
-   * @param file scene file to read; null for a scene that is known
-   * @param scene the scene; null for a file
+   * @param file scene file to read; null if the scene is given
+   * @param scene the scene; null if it is to be read from the file
    */
   record RenderRequest(Path file, SceneFile scene, RenderPass view, PictureSize size, int threads) {
 
-    boolean isOfSame(final RenderRequest other) {
+    boolean showsSameSceneAs(final RenderRequest other) {
       return Objects.equals(file, other.file) && scene == other.scene;
     }
   }
@@ -49,19 +49,19 @@ final class BackgroundRenderer {
   private final LatestOnlyExecutor background = new LatestOnlyExecutor("renderer");
   private RenderRequest latest;
   private RenderJob running;
-  private BufferedImage before;
+  private BufferedImage previous;
 
   BackgroundRenderer(final Listener listener) {
     this.listener = listener;
   }
 
-  synchronized void render(final RenderRequest wish) {
-    if (latest != null && !wish.isOfSame(latest)) {
-      before = null;
+  synchronized void render(final RenderRequest request) {
+    if (latest != null && !request.showsSameSceneAs(latest)) {
+      previous = null;
     }
-    latest = wish;
+    latest = request;
     cancel();
-    background.execute(() -> fulfil(wish));
+    background.execute(() -> process(request));
   }
 
   synchronized void cancel() {
@@ -70,63 +70,64 @@ final class BackgroundRenderer {
     }
   }
 
-  /** Renders no more. */
+  /** Cancels the current rendering and starts no other. */
   void stop() {
     cancel();
     background.stop();
   }
 
-  private synchronized boolean isLatest(final RenderRequest wish) {
-    return wish == latest;
+  private synchronized boolean isLatest(final RenderRequest request) {
+    return request == latest;
   }
 
-  /** Tells the listener, unless there is another wish by now. */
-  private void tell(final RenderRequest wish, final Runnable what) {
+  /** Notifies the listener, unless another request has been made meanwhile. */
+  private void notifyListener(final RenderRequest request, final Runnable event) {
     SwingUtilities.invokeLater(() -> {
-      if (isLatest(wish)) {
-        what.run();
+      if (isLatest(request)) {
+        event.run();
       }
     });
   }
 
-  private void fulfil(final RenderRequest wish) {
+  private void process(final RenderRequest request) {
     try {
-      final Optional<SceneFile> scene = wish.scene != null ? Optional.of(wish.scene) : read(wish);
-      if (scene.isPresent() && isLatest(wish)) {
-        render(wish, scene.get());
+      final Optional<SceneFile> scene = request.scene != null ? Optional.of(request.scene) : read(request);
+      if (scene.isPresent() && isLatest(request)) {
+        render(request, scene.get());
       }
     } catch (final RuntimeException | Error failure) {
-      tell(wish, () -> listener.failed(failure));
+      notifyListener(request, () -> listener.failed(failure));
     }
   }
 
-  private Optional<SceneFile> read(final RenderRequest wish) {
-    final ReadResult reading = SceneReader.read(wish.file);
-    tell(wish, () -> listener.read(reading));
-    return reading.scene();
+  private Optional<SceneFile> read(final RenderRequest request) {
+    final ReadResult result = SceneReader.read(request.file);
+    notifyListener(request, () -> listener.read(result));
+    return result.scene();
   }
 
-  private void render(final RenderRequest wish, final SceneFile scene) {
-    final int W = wish.size.widthOf(scene.width(), scene.height()), H = wish.size.heightOf(scene.width(), scene.height());
-    final RenderJob job = new RenderJob(scene, wish.view, W, H, wish.threads);
-    final ProgressivePicture canvas = begin(wish, job);
-    tell(wish, () -> listener.started(job, canvas));
-    final boolean completed = job.run(canvas);
+  private void render(final RenderRequest request, final SceneFile scene) {
+    final int W = request.size.widthOf(scene.width(), scene.height());
+    final int H = request.size.heightOf(scene.width(), scene.height());
+    final RenderJob job = new RenderJob(scene, request.view, W, H, request.threads);
+    final ProgressivePicture picture = begin(request, job);
+    notifyListener(request, () -> listener.started(job, picture));
+    final boolean completed = job.run(picture);
     if (completed) {
-      canvas.tileDone(0, 0, W, H);
+      picture.tileDone(0, 0, W, H);
     }
-    tell(wish, () -> listener.finished(job, completed));
+    notifyListener(request, () -> listener.finished(job, completed));
   }
 
-  /** What a rendering paints on. Before it begins it may be unwanted already. */
-  private synchronized ProgressivePicture begin(final RenderRequest wish, final RenderJob job) {
-    final ProgressivePicture canvas = new ProgressivePicture(job.image(), before);
-    if (isLatest(wish)) {
+  /** The picture that the job fills. If another request has arrived already, the job is cancelled before it runs. */
+  private synchronized ProgressivePicture begin(final RenderRequest request, final RenderJob job) {
+    final ProgressivePicture picture = new ProgressivePicture(job.image(), previous);
+    if (isLatest(request)) {
       running = job;
-      before = canvas.picture();
+      previous = picture.image();
     } else {
       job.cancel();
     }
-    return canvas;
+    return picture;
   }
 }

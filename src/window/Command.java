@@ -8,7 +8,7 @@ import javax.swing.KeyStroke;
 
 import arguments.Messages;
 
-/** Something the user can do, with its name and its explanation from the bundle, and a key. */
+/** An action of the window: its name and tooltip come from the message bundle. */
 final class Command extends AbstractAction {
 
   private static final long serialVersionUID = 1L;
@@ -24,17 +24,17 @@ final class Command extends AbstractAction {
     putValue(ACCELERATOR_KEY, stroke);
   }
 
-  /** With a key of its own, as {@link KeyStroke#getKeyStroke(String)} writes it; empty for none. */
+  /** An action with a key stroke in the notation of {@link KeyStroke#getKeyStroke(String)}; empty for none. */
   static Command of(final String key, final String stroke, final Runnable job) {
     return new Command(key, stroke.isEmpty() ? null : KeyStroke.getKeyStroke(stroke), job);
   }
 
-  /** With a key that goes together with the system's key for menus. */
+  /** An action whose key is combined with the platform's menu shortcut key (Ctrl, or Command on a Mac). */
   static Command ofMenu(final String key, final int code, final Runnable job) {
     return new Command(key, KeyStroke.getKeyStroke(code, Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx()), job);
   }
 
-  /** Its name in the bundle. */
+  /** Its key in the message bundle. */
   String key() {
     return (String) getValue(ACTION_COMMAND_KEY);
   }

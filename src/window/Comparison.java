@@ -21,7 +21,7 @@ import javax.swing.KeyStroke;
 import arguments.Messages;
 import inspection.Difference;
 
-/** Compares the picture of a window with a reference, and with it each picture that is rendered while this is open. */
+/** Compares the picture of a window, and each picture rendered while this dialog is open, with a reference. */
 final class Comparison {
 
   private final PictureView view;
@@ -32,14 +32,14 @@ final class Comparison {
   private final Command mask = Command.of("compare.mask", "", this::switchMask);
   private Difference difference;
 
-  /** Opens beside a window. */
+  /** Opens the dialog beside a window. */
   Comparison(final RenderWindow window, final BufferedImage reference, final Path file) {
     this.view = window.view();
     this.reference = reference;
     this.dialog = new JDialog(window.frame(), Messages.text("window.compare.title", file.getFileName()));
     dialog.setName("comparison");
     figures.setName("figures");
-    layOut(Command.of("compare.end", "ESCAPE", this::end));
+    layOut(Command.of("compare.close", "ESCAPE", this::end));
     compare();
     dialog.setLocation(window.frame().getX() + 40, window.frame().getY() + 120);
     dialog.setVisible(true);

@@ -25,12 +25,12 @@ import upnatray.PngFile;
 import upnatray.RenderJob;
 import upnatray.SaveException;
 
-/** What opens beside the window: choosers of files, the comparison with a reference, the scene from outside. */
+/** The dialogs of the window: file choosers, the comparison with a reference and the wireframe view. */
 final class Dialogs {
 
   private final RenderWindow window;
-  private final WireframeView outside = new WireframeView();
-  private JDialog outsideDialog;
+  private final WireframeView wireframe = new WireframeView();
+  private JDialog wireframeDialog;
   private Comparison comparison;
 
   Dialogs(final RenderWindow window) {
@@ -53,9 +53,9 @@ final class Dialogs {
     return name + ".png";
   }
 
-  /** Saves a picture in a file that was chosen; one that is there already is replaced only if that is meant. */
+  /** Saves a picture to the chosen file. The user confirms before an existing file is replaced. */
   void saveAs(final BufferedImage picture, final Path file) {
-    final Path target = PictureFile.withEnding(file);
+    final Path target = PictureFile.withExtension(file);
     if (!Files.isRegularFile(target) || JOptionPane.showConfirmDialog(window.frame(), Messages.text("window.save.replace",
         target),
         "UPNaTRay", JOptionPane.YES_NO_OPTION, JOptionPane.WARNING_MESSAGE) == JOptionPane.YES_OPTION) {
@@ -69,11 +69,11 @@ final class Dialogs {
       window.settings().setFolder(target.toAbsolutePath().getParent());
       window.status().showText(Messages.text("window.status.saved", target));
     } catch (final SaveException failure) {
-      complain(failure.getMessage());
+      showError(failure.getMessage());
     }
   }
 
-  private void complain(final String message) {
+  private void showError(final String message) {
     JOptionPane.showMessageDialog(window.frame(), message, "UPNaTRay", JOptionPane.ERROR_MESSAGE);
   }
 
@@ -94,7 +94,7 @@ final class Dialogs {
     }
   }
 
-  /** Compares the picture with a file, and with each picture that is rendered from now on. */
+  /** Compares the picture, and each picture rendered from now on, with a reference file. */
   void compareWith(final Path file) {
     try {
       final BufferedImage reference = PictureFile.read(file);
@@ -102,11 +102,11 @@ final class Dialogs {
       comparison = new Comparison(window, reference, file);
     } catch (final IOException failure) {
       final String reason = failure.getMessage() == null ? failure.toString() : failure.getMessage();
-      complain(Messages.text("window.compare.failed", file, reason));
+      showError(Messages.text("window.compare.failed", file, reason));
     }
   }
 
-  /** A picture is finished: what is compared is compared anew. */
+  /** Repeats an open comparison after a rendering. */
   void renderingFinished() {
     if (comparison != null && comparison.isOpen()) {
       comparison.compare();
@@ -119,43 +119,43 @@ final class Dialogs {
     }
   }
 
-  /** Opens the scene from outside. */
-  void showOutside(final RenderJob job) {
-    outside.setLines(Wireframe.of(job.scene(), job.image().getWidth(), job.image().getHeight()));
-    if (outsideDialog == null) {
-      outsideDialog = new JDialog(window.frame(), Messages.text("window.outside.text"));
-      outsideDialog.setName("outsideDialog");
+  /** Opens the wireframe view. */
+  void showWireframe(final RenderJob job) {
+    wireframe.setLines(Wireframe.of(job.scene(), job.image().getWidth(), job.image().getHeight()));
+    if (wireframeDialog == null) {
+      wireframeDialog = new JDialog(window.frame(), Messages.text("window.wireframe.text"));
+      wireframeDialog.setName("wireframeDialog");
       final JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING));
-      buttons.add(new JButton(Command.of("outside.save", "", this::saveOutside))).setName("outside.save");
-      outsideDialog.add(outside, BorderLayout.CENTER);
-      outsideDialog.add(buttons, BorderLayout.SOUTH);
-      outsideDialog.pack();
-      outsideDialog.setLocationRelativeTo(window.frame());
-      WireframeKeys.bind(outside, outsideDialog::dispose);
+      buttons.add(new JButton(Command.of("wireframe.save", "", this::saveWireframe))).setName("wireframe.save");
+      wireframeDialog.add(wireframe, BorderLayout.CENTER);
+      wireframeDialog.add(buttons, BorderLayout.SOUTH);
+      wireframeDialog.pack();
+      wireframeDialog.setLocationRelativeTo(window.frame());
+      WireframeKeys.bind(wireframe, wireframeDialog::dispose);
     }
-    outsideDialog.setVisible(true);
+    wireframeDialog.setVisible(true);
   }
 
-  private void saveOutside() {
-    choose("outside.save", "png", false, "outside.png").ifPresent(file -> saveAs(outside.image(), file));
+  private void saveWireframe() {
+    choose("wireframe.save", "png", false, "wireframe.png").ifPresent(file -> saveAs(wireframe.image(), file));
   }
 
-  /** Shows the ray of the pinned pixel in the scene from outside, if that is open. */
+  /** Shows the ray of the pinned pixel in the wireframe view, if that is open. */
   void showRay(final RenderJob job, final Inspection inspection) {
-    if (outsideDialog != null && outsideDialog.isVisible()) {
+    if (wireframeDialog != null && wireframeDialog.isVisible()) {
       final Hit hit = inspection.winner().map(Intersection::hit).orElse(Hit.NOHIT);
-      outside.setLines(Wireframe.of(job.scene(), job.image().getWidth(), job.image().getHeight(), inspection.pixel().ray(),
+      wireframe.setLines(Wireframe.of(job.scene(), job.image().getWidth(), job.image().getHeight(), inspection.pixel().ray(),
           hit));
     }
   }
 
-  WireframeView outside() {
-    return outside;
+  WireframeView wireframe() {
+    return wireframe;
   }
 
   void close() {
-    if (outsideDialog != null) {
-      outsideDialog.dispose();
+    if (wireframeDialog != null) {
+      wireframeDialog.dispose();
     }
     endComparison();
   }

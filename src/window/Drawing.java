@@ -6,12 +6,12 @@ import javax.swing.JComponent;
 
 import arguments.Messages;
 
-/** A component that draws itself, known to screen readers as a canvas with a name and a description. */
+/** A component that paints itself. Assistive technology sees a canvas with a name and a description. */
 abstract class Drawing extends JComponent {
 
   private static final long serialVersionUID = 1L;
 
-  /** A drawing with a name that tells what it shows. */
+  /** A drawing whose accessible name is in the message bundle. */
   Drawing(final String key) {
     getAccessibleContext().setAccessibleName(Messages.text("window." + key));
   }

@@ -10,7 +10,7 @@ import java.util.function.Consumer;
 
 import javax.swing.TransferHandler;
 
-/** Takes files that are dropped onto a component; the first of them counts. */
+/** Accepts files dropped onto a component and passes on the first of them. */
 final class FileDrop extends TransferHandler {
 
   private static final long serialVersionUID = 1L;

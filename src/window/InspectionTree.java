@@ -18,14 +18,14 @@ import models.SphereTrace;
 import tracer.Hit;
 import tracer.Ray;
 
-/** What is known of a pixel as a tree of lines of text. */
+/** Presents the inspection of a pixel as a tree of lines of text. */
 final class InspectionTree {
 
-  /** Steps of a march that are listed, at most: the plot shows them all. */
-  private static final int MOST_STEPS = 200;
+  /** Maximum number of listed steps of a sphere trace; the plot shows all of them. */
+  private static final int MAX_STEPS = 200;
 
-  /** A line about a meeting, so that what is selected in the tree can be told. */
-  record MeetingLine(Intersection meeting, String text) {
+  /** A line about an intersection, from which the selection in the tree is resolved. */
+  record IntersectionLine(Intersection intersection, String text) {
     @Override
     public String toString() {
       return text;
@@ -39,7 +39,7 @@ final class InspectionTree {
     final PixelRay pixel = inspection.pixel();
     final DefaultMutableTreeNode root = node("inspect.pixel", pixel.m(), pixel.n(), pixel.W(), pixel.H());
     root.add(ray(pixel));
-    root.add(meetings(inspection));
+    root.add(intersections(inspection));
     root.add(colour(inspection));
     return root;
   }
@@ -67,7 +67,7 @@ final class InspectionTree {
     return node;
   }
 
-  /** What comes out with the formula, and below it the numbers, a line for each term of a sum of vectors. */
+  /** The result with its formula; below it the numbers, one line for each term of a vector sum. */
   private static DefaultMutableTreeNode formula(final Formula formula) {
     final String general = formula.general().isEmpty() ? "" : "   =   " + formula.general();
     final DefaultMutableTreeNode node = new DefaultMutableTreeNode(formula.symbol() + " = " + formula.value() + general);
@@ -79,33 +79,33 @@ final class InspectionTree {
     return node;
   }
 
-  private static DefaultMutableTreeNode meetings(final Inspection inspection) {
-    final List<Intersection> meetings = inspection.meetings();
-    final long met = meetings.stream().filter(meeting -> meeting.hit().hits()).count();
-    final DefaultMutableTreeNode node = node("inspect.meetings", met, inspection.tests());
+  private static DefaultMutableTreeNode intersections(final Inspection inspection) {
+    final List<Intersection> intersections = inspection.intersections();
+    final long hits = intersections.stream().filter(intersection -> intersection.hit().hits()).count();
+    final DefaultMutableTreeNode node = node("inspect.intersections", hits, inspection.tests());
     int number = 0;
-    for (final Intersection meeting : meetings) {
-      node.add(meeting(meeting, ++number));
+    for (final Intersection intersection : intersections) {
+      node.add(intersection(intersection, ++number));
     }
     return node;
   }
 
-  private static DefaultMutableTreeNode meeting(final Intersection meeting, final int number) {
-    final String name = meeting.name().isEmpty() ? "" : " \u201c" + meeting.name() + "\u201d";
-    final String t = meeting.hit().hits() ? "t = " + Numbers.text(meeting.hit().getT())
+  private static DefaultMutableTreeNode intersection(final Intersection intersection, final int number) {
+    final String name = intersection.name().isEmpty() ? "" : " \u201c" + intersection.name() + "\u201d";
+    final String t = intersection.hit().hits() ? "t = " + Numbers.text(intersection.hit().getT())
         : Messages.text("window.inspect.noHit");
-    final String mark = meeting.winner() ? "  \u2605 " + Messages.text("window.inspect.winner") : "";
-    final DefaultMutableTreeNode node = new DefaultMutableTreeNode(new MeetingLine(meeting, number + ". "
-        + meeting.object().getClass().getSimpleName() + name + ": " + t + mark));
-    for (final ContractViolation finding : meeting.findings()) {
-      add(node, "\u26a0 " + Messages.text("window.finding." + finding, meeting.failure()));
+    final String mark = intersection.winner() ? "  \u2605 " + Messages.text("window.inspect.winner") : "";
+    final DefaultMutableTreeNode node = new DefaultMutableTreeNode(new IntersectionLine(intersection, number + ". "
+        + intersection.object().getClass().getSimpleName() + name + ": " + t + mark));
+    for (final ContractViolation violation : intersection.violations()) {
+      add(node, "\u26a0 " + Messages.text("window.violation." + violation, intersection.failure()));
     }
-    addHit(node, meeting.hit());
-    add(node, meeting.object().toString());
-    for (final LocalRay frame : meeting.frames()) {
+    addHit(node, intersection.hit());
+    add(node, intersection.object().toString());
+    for (final LocalRay frame : intersection.localRays()) {
       node.add(frame(frame));
     }
-    meeting.march().ifPresent(march -> node.add(march(march)));
+    intersection.trace().ifPresent(trace -> node.add(trace(trace)));
     return node;
   }
 
@@ -131,11 +131,11 @@ final class InspectionTree {
     return node;
   }
 
-  private static DefaultMutableTreeNode march(final SphereTrace march) {
-    final DefaultMutableTreeNode node = node("inspect.march", march.steps().size(), Messages.text("window.march."
-        + march.end()));
+  private static DefaultMutableTreeNode trace(final SphereTrace trace) {
+    final DefaultMutableTreeNode node = node("inspect.trace", trace.steps().size(), Messages.text("window.trace."
+        + trace.end()));
     int number = 0;
-    for (final SphereTrace.Step step : march.steps().subList(0, Math.min(MOST_STEPS, march.steps().size()))) {
+    for (final SphereTrace.Step step : trace.steps().subList(0, Math.min(MAX_STEPS, trace.steps().size()))) {
       add(node, String.format(Locale.ROOT, "%d: t = %.6g, SDF = %.6g", ++number, step.t(), step.distance()));
     }
     return node;
@@ -150,7 +150,7 @@ final class InspectionTree {
     return node;
   }
 
-  /** A colour as red, green, blue, and alpha if it is not opaque. */
+  /** A colour as red, green and blue, followed by alpha if it is not opaque. */
   static String colour(final int argb) {
     final String rgb = (argb >> 16 & 0xff) + " " + (argb >> 8 & 0xff) + " " + (argb & 0xff);
     return argb >>> 24 == 0xff ? rgb : rgb + " \u03b1 " + (argb >>> 24);

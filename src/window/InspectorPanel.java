@@ -25,7 +25,7 @@ import inspection.Inspection;
 import inspection.Intersection;
 import inspection.JUnitTestWriter;
 
-/** Shows what is known of the pinned pixel. */
+/** Shows the inspection of the pinned pixel. */
 final class InspectorPanel extends JPanel {
 
   private static final long serialVersionUID = 1L;
@@ -35,7 +35,7 @@ final class InspectorPanel extends JPanel {
   private final JTree tree = new JTree(new DefaultMutableTreeNode()) {
     private static final long serialVersionUID = 1L;
 
-    /** A line may be longer than there is room. */
+    /** The whole line, which may be wider than the panel. */
     @Override
     public String getToolTipText(final MouseEvent event) {
       final TreePath path = getPathForLocation(event.getX(), event.getY());
@@ -52,7 +52,7 @@ final class InspectorPanel extends JPanel {
     setPreferredSize(new Dimension(420, 400));
     setBorder(BorderFactory.createEmptyBorder(6, 8, 6, 8));
     final JPanel top = new JPanel(new BorderLayout(8, 0));
-    heading.setName("asked");
+    heading.setName("heading");
     swatch.setOpaque(true);
     swatch.setVisible(false);
     top.add(heading, BorderLayout.CENTER);
@@ -81,20 +81,20 @@ final class InspectorPanel extends JPanel {
     plain.setOpenIcon(null);
     plain.setClosedIcon(null);
     tree.setCellRenderer(plain);
-    tree.addTreeSelectionListener(event -> showMarch());
+    tree.addTreeSelectionListener(event -> showTrace());
   }
 
-  /** Shows nothing but how to begin. */
+  /** Shows only how to begin. */
   void clear() {
     inspection = null;
     heading.setText(Messages.text("window.inspector.empty"));
     swatch.setVisible(false);
     tree.setModel(new DefaultTreeModel(new DefaultMutableTreeNode()));
     copy.setEnabled(false);
-    plot.setMarch(null);
+    plot.setTrace(null);
   }
 
-  /** Shows why there is nothing to show. */
+  /** Shows why there is no inspection. */
   void showNothing(final String why) {
     clear();
     heading.setText(why);
@@ -110,48 +110,48 @@ final class InspectorPanel extends JPanel {
     tree.setModel(new DefaultTreeModel(root));
     expand(root);
     copy.setEnabled(selected().isPresent());
-    showMarch();
+    showTrace();
   }
 
-  /** Opens the sections and the winner. */
+  /** Expands the sections, the closest intersection and those that violate the contract. */
   private void expand(final DefaultMutableTreeNode root) {
     for (int i = 0; i < root.getChildCount(); i++) {
       final DefaultMutableTreeNode section = (DefaultMutableTreeNode) root.getChildAt(i);
       tree.expandPath(new TreePath(section.getPath()));
       for (int k = 0; k < section.getChildCount(); k++) {
         final DefaultMutableTreeNode line = (DefaultMutableTreeNode) section.getChildAt(k);
-        if (line.getUserObject() instanceof InspectionTree.MeetingLine found
-            && (found.meeting().winner() || !found.meeting().findings().isEmpty())) {
+        if (line.getUserObject() instanceof InspectionTree.IntersectionLine entry
+            && (entry.intersection().winner() || !entry.intersection().violations().isEmpty())) {
           tree.expandPath(new TreePath(line.getPath()));
         }
       }
     }
   }
 
-  /** The meeting that is selected in the tree, or else the winner, or else the first. */
+  /** The intersection selected in the tree; failing that the closest, failing that the first listed. */
   Optional<Intersection> selected() {
     final TreePath path = tree.getSelectionPath();
     if (path != null) {
       for (final Object node : path.getPath()) {
-        if (((DefaultMutableTreeNode) node).getUserObject() instanceof InspectionTree.MeetingLine line) {
-          return Optional.of(line.meeting());
+        if (((DefaultMutableTreeNode) node).getUserObject() instanceof InspectionTree.IntersectionLine line) {
+          return Optional.of(line.intersection());
         }
       }
     }
     if (inspection == null) {
       return Optional.empty();
     }
-    return inspection.winner().or(() -> inspection.meetings().stream().findFirst());
+    return inspection.winner().or(() -> inspection.intersections().stream().findFirst());
   }
 
-  private void showMarch() {
-    plot.setMarch(selected().flatMap(Intersection::march).orElse(null));
+  private void showTrace() {
+    plot.setTrace(selected().flatMap(Intersection::trace).orElse(null));
     copy.setEnabled(selected().isPresent());
   }
 
-  /** Puts the test of the selected meeting on the clipboard. */
+  /** Puts a test of the selected intersection on the clipboard. */
   void copyTest() {
-    selected().ifPresent(meeting -> Toolkit.getDefaultToolkit().getSystemClipboard()
-        .setContents(new StringSelection(JUnitTestWriter.of(inspection, meeting)), null));
+    selected().ifPresent(intersection -> Toolkit.getDefaultToolkit().getSystemClipboard()
+        .setContents(new StringSelection(JUnitTestWriter.of(inspection, intersection)), null));
   }
 }

@@ -8,7 +8,7 @@ import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 
-/** What a key does in a component. */
+/** Binds a key of a component to an action. */
 final class KeyAction extends AbstractAction {
 
   private static final long serialVersionUID = 1L;
@@ -19,13 +19,13 @@ final class KeyAction extends AbstractAction {
     this.job = job;
   }
 
-  /** Binds a key, as {@link KeyStroke#getKeyStroke(String)} writes it, under a condition of {@link JComponent}. */
+  /** Binds a key, in the notation of {@link KeyStroke#getKeyStroke(String)}, under a condition of {@link JComponent}. */
   static void bind(final JComponent component, final int condition, final String key, final Runnable job) {
     component.getInputMap(condition).put(KeyStroke.getKeyStroke(key), key);
     component.getActionMap().put(key, new KeyAction(job));
   }
 
-  /** A key of a menu types its character too. */
+  /** Ignores the character that a menu shortcut also types. */
   @Override
   public boolean accept(final Object sender) {
     return !(EventQueue.getCurrentEvent() instanceof KeyEvent event && event.getID() == KeyEvent.KEY_TYPED

@@ -3,14 +3,14 @@ package window;
 import javax.swing.Timer;
 
 /**
- * Does jobs in the background, one at a time. Of those that wait only the last is done, as nobody wants the others any more.
- * A job that does not come to an end, in a shape of the user's own for example, is left behind when another has waited for a
- * while, and goes on alone. Called by the event thread.
+ * Runs jobs in the background, one at a time. Only the latest of the waiting jobs is run: it supersedes the others. If a job
+ * does not end, for example because of a user-written shape, the next one starts on a new thread after a grace period, and
+ * the old thread ends with its job. Called on the event dispatch thread.
  */
 final class LatestOnlyExecutor {
 
-  /** How long a job waits for the one before to end. */
-  static final int PATIENCE = 1000;
+  /** How long a job waits for the previous one to end, in ms. */
+  static final int GRACE_PERIOD_MS = 1000;
 
   private final String name;
   private Thread worker;
@@ -20,19 +20,19 @@ final class LatestOnlyExecutor {
     this.name = name;
   }
 
-  /** Does a job as soon as the one before has ended or is left behind. */
+  /** Runs a job as soon as the previous one has ended or been abandoned. */
   synchronized void execute(final Runnable job) {
     next = job;
     if (worker == null) {
       start();
     } else {
-      final Timer patience = new Timer(PATIENCE, event -> leaveBehind(job));
-      patience.setRepeats(false);
-      patience.start();
+      final Timer timer = new Timer(GRACE_PERIOD_MS, event -> abandon(job));
+      timer.setRepeats(false);
+      timer.start();
     }
   }
 
-  private synchronized void leaveBehind(final Runnable waiting) {
+  private synchronized void abandon(final Runnable waiting) {
     if (next == waiting) {
       start();
     }
@@ -50,7 +50,7 @@ final class LatestOnlyExecutor {
     }
   }
 
-  /** The next job; null if there is none, or if the calling thread has been left behind. */
+  /** The next job; null if there is none, or if the calling thread has been abandoned. */
   private synchronized Runnable take() {
     if (Thread.currentThread() != worker) {
       return null;
@@ -63,7 +63,7 @@ final class LatestOnlyExecutor {
     return job;
   }
 
-  /** Begins nothing more. */
+  /** Discards the waiting job. */
   synchronized void stop() {
     next = null;
   }

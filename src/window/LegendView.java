@@ -9,7 +9,7 @@ import java.util.Locale;
 import arguments.Messages;
 import rendering.ColourScale;
 
-/** The legend of a view of numbers: its colours from top to bottom, with numbers beside them. */
+/** The legend of a pass that shows numbers: a vertical colour bar with tick marks. */
 final class LegendView extends Drawing {
 
   private static final long serialVersionUID = 1L;
@@ -27,7 +27,7 @@ final class LegendView extends Drawing {
     setVisible(false);
   }
 
-  /** Shows a scale; null for none. */
+  /** Sets the scale; null hides the legend. */
   void setScale(final ColourScale next) {
     scale = next;
     setVisible(next != null);

@@ -16,7 +16,7 @@ import javax.swing.JRadioButtonMenuItem;
 import arguments.Messages;
 import rendering.RenderPass;
 
-/** The menus: everything that the window can do, each with its key. */
+/** The menus, which hold every command of the window with its key. */
 final class MenuBar extends JMenuBar {
 
   private static final long serialVersionUID = 1L;
@@ -25,7 +25,7 @@ final class MenuBar extends JMenuBar {
 
   private final transient RenderWindow window;
   private final JMenu recent = menu("recent");
-  private final Map<RenderPass, JMenuItem> views = new EnumMap<>(RenderPass.class);
+  private final Map<RenderPass, JMenuItem> passes = new EnumMap<>(RenderPass.class);
 
   MenuBar(final RenderWindow window) {
     this.window = window;
@@ -59,7 +59,7 @@ final class MenuBar extends JMenuBar {
     return menu;
   }
 
-  /** Lists the scenes opened last. */
+  /** Lists the recently opened scenes. */
   void fillRecent() {
     recent.removeAll();
     for (final Path path : window.settings().recent()) {
@@ -74,12 +74,12 @@ final class MenuBar extends JMenuBar {
   private JMenu viewMenu() {
     final JMenu menu = menu("view");
     final ButtonGroup group = new ButtonGroup();
-    for (final RenderPass what : RenderPass.values()) {
+    for (final RenderPass pass : RenderPass.values()) {
       final JMenuItem item = new JRadioButtonMenuItem(
-          Command.of("view." + what, "alt " + (what.ordinal() + 1), () -> window.setWhat(what)));
-      item.setSelected(what == window.session().view());
+          Command.of("pass." + pass, "alt " + (pass.ordinal() + 1), () -> window.setPass(pass)));
+      item.setSelected(pass == window.session().pass());
       group.add(item);
-      views.put(what, menu.add(item));
+      passes.put(pass, menu.add(item));
     }
     menu.addSeparator();
     menu.add(Command.ofMenu("fit", KeyEvent.VK_0, window.view()::fit));
@@ -87,7 +87,7 @@ final class MenuBar extends JMenuBar {
     menu.add(Command.ofMenu("zoomIn", KeyEvent.VK_PLUS, () -> window.view().zoomBy(STEP)));
     menu.add(Command.ofMenu("zoomOut", KeyEvent.VK_MINUS, () -> window.view().zoomBy(1 / STEP)));
     menu.addSeparator();
-    menu.add(Command.ofMenu("outside", KeyEvent.VK_E, window::showOutside));
+    menu.add(Command.ofMenu("wireframe", KeyEvent.VK_E, window::showWireframe));
     final JCheckBoxMenuItem dark = new JCheckBoxMenuItem(Command.ofMenu("dark", KeyEvent.VK_L, window::switchTheme));
     dark.setSelected(window.settings().isDark());
     menu.add(dark);
@@ -96,29 +96,29 @@ final class MenuBar extends JMenuBar {
 
   private JMenu pixelMenu() {
     final JMenu menu = menu("pixel");
-    menu.add(Command.of("pin", "ctrl P", () -> window.view().pinBeside(0, 0)));
+    menu.add(Command.of("pin", "ctrl P", () -> window.view().pinNeighbour(0, 0)));
     menu.add(Command.of("unpin", "ctrl U", window::unpin));
     menu.add(Command.ofMenu("copyTest", KeyEvent.VK_T, window.inspector()::copyTest));
     return menu;
   }
 
-  /** Shows what is shown. */
-  void select(final RenderPass what) {
-    views.get(what).setSelected(true);
+  /** Marks the current pass. */
+  void select(final RenderPass pass) {
+    passes.get(pass).setSelected(true);
   }
 
-  /** Keys that count while the picture has the focus: arrows pin the next pixel, with shift they move the picture. */
+  /** Binds the keys of the focused picture: arrows pin the neighbouring pixel, with shift they pan the picture. */
   private static void bindKeys(final PictureView view) {
-    final int far = 48;
-    bind(view, "LEFT", () -> view.pinBeside(-1, 0));
-    bind(view, "RIGHT", () -> view.pinBeside(1, 0));
-    bind(view, "UP", () -> view.pinBeside(0, -1));
-    bind(view, "DOWN", () -> view.pinBeside(0, 1));
-    bind(view, "ENTER", () -> view.pinBeside(0, 0));
-    bind(view, "shift LEFT", () -> view.moveBy(far, 0));
-    bind(view, "shift RIGHT", () -> view.moveBy(-far, 0));
-    bind(view, "shift UP", () -> view.moveBy(0, far));
-    bind(view, "shift DOWN", () -> view.moveBy(0, -far));
+    final int distance = 48;
+    bind(view, "LEFT", () -> view.pinNeighbour(-1, 0));
+    bind(view, "RIGHT", () -> view.pinNeighbour(1, 0));
+    bind(view, "UP", () -> view.pinNeighbour(0, -1));
+    bind(view, "DOWN", () -> view.pinNeighbour(0, 1));
+    bind(view, "ENTER", () -> view.pinNeighbour(0, 0));
+    bind(view, "shift LEFT", () -> view.moveBy(distance, 0));
+    bind(view, "shift RIGHT", () -> view.moveBy(-distance, 0));
+    bind(view, "shift UP", () -> view.moveBy(0, distance));
+    bind(view, "shift DOWN", () -> view.moveBy(0, -distance));
     bind(view, "typed +", () -> view.zoomBy(STEP));
     bind(view, "typed -", () -> view.zoomBy(1 / STEP));
     for (final String plus : new String[] {"ctrl ADD", "ctrl EQUALS", "ctrl shift EQUALS"}) {

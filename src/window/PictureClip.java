@@ -8,7 +8,7 @@ import java.awt.datatransfer.Transferable;
 import java.awt.datatransfer.UnsupportedFlavorException;
 import java.awt.image.BufferedImage;
 
-/** A picture on the clipboard, as it was when it was copied. White is behind it: most programs know no transparency. */
+/** A snapshot of a picture for the clipboard, on white: most programs that paste images do not support transparency. */
 final class PictureClip implements Transferable {
 
   private final BufferedImage picture;

@@ -9,7 +9,7 @@ import javax.imageio.ImageIO;
 
 import arguments.Messages;
 
-/** Pictures that the window reads, and names for those that it saves. */
+/** Reads reference pictures, and names the files of pictures to be saved. */
 final class PictureFile {
 
   private PictureFile() {
@@ -21,13 +21,13 @@ final class PictureFile {
     }
     final BufferedImage picture = ImageIO.read(file.toFile());
     if (picture == null) {
-      throw new IOException(Messages.text("window.compare.noPicture"));
+      throw new IOException(Messages.text("window.compare.notAnImage"));
     }
     return picture;
   }
 
-  /** The name with the ending of a PNG file, whether or not it had that already. */
-  static Path withEnding(final Path file) {
+  /** The file name with the extension .png, which is added if it is missing. */
+  static Path withExtension(final Path file) {
     final String name = file.getFileName().toString();
     return name.toLowerCase(java.util.Locale.ROOT).endsWith(".png") ? file : file.resolveSibling(name + ".png");
   }

@@ -7,14 +7,14 @@ import java.awt.event.MouseWheelEvent;
 
 import javax.swing.SwingUtilities;
 
-/** The mouse in a picture: the wheel zooms about the pointer, dragging moves the picture, a click pins a pixel. */
+/** Handles the mouse in a picture: the wheel zooms about the pointer, dragging pans, a click pins a pixel. */
 final class PictureMouse extends MouseAdapter {
 
-  /** Factor of a notch of the wheel. */
+  /** Zoom factor of one notch of the wheel. */
   private static final double NOTCH = 1.25;
 
-  /** How far the pointer may move for a click to remain a click. */
-  private static final double STEADY = 3;
+  /** Distance that the pointer may move between press and release of a click. */
+  private static final double CLICK_TOLERANCE = 3;
 
   private final PictureView view;
   private Point pressed;
@@ -33,7 +33,7 @@ final class PictureMouse extends MouseAdapter {
 
   @Override
   public void mouseDragged(final MouseEvent event) {
-    if (pressed != null && pressed.distance(event.getPoint()) > STEADY) {
+    if (pressed != null && pressed.distance(event.getPoint()) > CLICK_TOLERANCE) {
       pressed = null;
     }
     if (last != null && pressed == null) {

@@ -10,17 +10,17 @@ import java.awt.TexturePaint;
 import java.awt.image.BufferedImage;
 
 /**
- * Paints a picture at a place, into an image that is then brought to the screen: scaling here is several times cheaper than
- * sending all the pixels to the screen to be scaled there. All edges are put on whole dots of the screen, so that
- * checkerboard, picture, grid and frame fit together on every screen, and parts painted later fit those painted before.
+ * Paints a zoomed picture into an off-screen buffer in device pixels: scaling in memory is several times cheaper than having
+ * the screen scale the whole picture. All edges are rounded to device pixels, so that checkerboard, picture, grid and frame
+ * coincide at every scale factor, and separately painted regions join without seams.
  */
 final class PicturePainter {
 
-  /** Size of a pixel, in dots of the screen, from which on there is a grid. */
-  static final double GRID_FROM = 8;
+  /** Size of a picture pixel, in device pixels, from which a grid is drawn. */
+  static final double MIN_GRID_SIZE = 8;
 
   private static final int SQUARE = 8;
-  private static final int LEAST_FRAME = 9;
+  private static final int MIN_FRAME = 9;
   private static final Color GRID = new Color(128, 128, 128, 110);
   private static final BufferedImage SQUARES = new BufferedImage(2 * SQUARE, 2 * SQUARE, BufferedImage.TYPE_INT_RGB);
 
@@ -33,7 +33,7 @@ final class PicturePainter {
   }
 
   private final Graphics2D g;
-  private final int dots;
+  private final int unit;
   private final int W;
   private final int H;
   private final Rectangle place;
@@ -41,10 +41,10 @@ final class PicturePainter {
   /**
    * A painter for a picture of W by H pixels.
    *
-   * @param target what it paints on, in dots
-   * @param clip the part to be painted, in dots
-   * @param zoom where the picture is, in points
-   * @param scale dots to a point
+   * @param target the buffer to paint into
+   * @param clip the region to be painted, in device pixels
+   * @param zoom position and scale of the picture, in component coordinates
+   * @param scale device pixels per unit of the component's coordinates
    */
   PicturePainter(final BufferedImage target, final Rectangle clip, final Zoom zoom, final double scale, final int W,
       final int H) {
@@ -52,57 +52,57 @@ final class PicturePainter {
     this.W = W;
     this.H = H;
     g.setClip(clip);
-    dots = (int) Math.max(1, Math.round(scale));
+    unit = (int) Math.max(1, Math.round(scale));
     place = new Rectangle((int) Math.round(zoom.x() * scale), (int) Math.round(zoom.y() * scale),
         (int) Math.max(1, Math.round(W * zoom.scale() * scale)), (int) Math.max(1, Math.round(H * zoom.scale() * scale)));
   }
 
-  /** Paints what is around the picture, and a checkerboard where it is, if there is one. */
+  /** Paints the surroundings, and a checkerboard behind the picture if there is one. */
   void paintGround(final Color around, final boolean hasPicture) {
     g.setColor(around);
     g.fill(g.getClip());
     if (hasPicture) {
-      g.setPaint(new TexturePaint(SQUARES, new Rectangle(2 * SQUARE * dots, 2 * SQUARE * dots)));
+      g.setPaint(new TexturePaint(SQUARES, new Rectangle(2 * SQUARE * unit, 2 * SQUARE * unit)));
       g.fill(place);
     }
   }
 
-  /** Paints the pixels; smoothly, if there are more of them than dots and there is time for it. */
-  void paint(final BufferedImage picture, final boolean inHaste) {
-    g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, place.width < W && !inHaste
+  /** Paints the pixels, with interpolation if they are smaller than device pixels and speed does not matter. */
+  void paint(final BufferedImage picture, final boolean fast) {
+    g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, place.width < W && !fast
         ? RenderingHints.VALUE_INTERPOLATION_BILINEAR : RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR);
     g.drawImage(picture, place.x, place.y, place.width, place.height, null);
   }
 
-  /** Paints a grid between the pixels, if these are large. */
+  /** Paints a grid between the pixels, if they are large enough. */
   void paintGrid() {
-    if ((double) place.width / W < GRID_FROM) {
+    if ((double) place.width / W < MIN_GRID_SIZE) {
       return;
     }
-    final Rectangle seen = place.intersection(g.getClipBounds());
+    final Rectangle visible = place.intersection(g.getClipBounds());
     g.setColor(GRID);
-    for (int i = column(seen.x); i <= column(seen.x + seen.width); i++) {
-      g.fillRect(x(i), seen.y, 1, seen.height);
+    for (int i = column(visible.x); i <= column(visible.x + visible.width); i++) {
+      g.fillRect(x(i), visible.y, 1, visible.height);
     }
-    for (int i = row(seen.y); i <= row(seen.y + seen.height); i++) {
-      g.fillRect(seen.x, y(i), seen.width, 1);
+    for (int i = row(visible.y); i <= row(visible.y + visible.height); i++) {
+      g.fillRect(visible.x, y(i), visible.width, 1);
     }
   }
 
-  /** Paints a frame about a pixel, black and white so that it is seen on any colour, and large enough to be seen. */
+  /** Paints a frame around a pixel: black and white, so that it stands out on any colour, with a minimum size. */
   void paintFrame(final Point pixel) {
-    final int width = Math.max(LEAST_FRAME * dots, x(pixel.x + 1) - x(pixel.x));
-    final int height = Math.max(LEAST_FRAME * dots, y(pixel.y + 1) - y(pixel.y));
+    final int width = Math.max(MIN_FRAME * unit, x(pixel.x + 1) - x(pixel.x));
+    final int height = Math.max(MIN_FRAME * unit, y(pixel.y + 1) - y(pixel.y));
     final int x = (x(pixel.x) + x(pixel.x + 1) - width) / 2, y = (y(pixel.y) + y(pixel.y + 1) - height) / 2;
-    g.setStroke(new BasicStroke(3 * dots));
+    g.setStroke(new BasicStroke(3 * unit));
     g.setColor(Color.BLACK);
     g.drawRect(x, y, width, height);
-    g.setStroke(new BasicStroke(dots));
+    g.setStroke(new BasicStroke(unit));
     g.setColor(Color.WHITE);
     g.drawRect(x, y, width, height);
   }
 
-  /** First dot of a column of pixels. */
+  /** First device pixel of a column of the picture. */
   private int x(final int column) {
     return place.x + (int) Math.round((double) column * place.width / W);
   }

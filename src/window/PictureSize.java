@@ -5,21 +5,21 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What size a picture is to have: a part of the scene's own size, or a size of its own.
+ * The requested size of a picture: a percentage of the size given by the scene, or a size in pixels.
  *
- * @param percent percentage of the scene's size; 0 if there is a size
- * @param width width in pixels; 0 if there is a percentage, or to keep the proportion
+ * @param percent percentage of the scene's size; 0 if width or height is given
+ * @param width width in pixels; 0 if a percentage is given, or to preserve the aspect ratio
  * @param height height in pixels; 0 as for the width
  */
 record PictureSize(int percent, int width, int height) {
 
-  /** The scene's own size. */
+  /** The size given by the scene. */
   static final PictureSize OWN = new PictureSize(100, 0, 0);
 
   private static final Pattern PERCENT = Pattern.compile("\\s*(\\d{1,4})\\s*%\\s*");
   private static final Pattern PIXELS = Pattern.compile("\\s*([1-9]\\d{0,5}|\\?)\\s*[x×*,; ]\\s*([1-9]\\d{0,5}|\\?)\\s*");
 
-  /** The size of a text such as {@code 50 %}, {@code 640 x 480} or {@code 640 x ?}; empty if it is none. */
+  /** Parses a size such as {@code 50 %}, {@code 640 x 480} or {@code 640 x ?}; empty if the text is invalid. */
   static Optional<PictureSize> of(final String text) {
     final Matcher percent = PERCENT.matcher(text), pixels = PIXELS.matcher(text);
     if (percent.matches() && Integer.parseInt(percent.group(1)) > 0) {

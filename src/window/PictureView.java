@@ -14,29 +14,29 @@ import java.awt.image.BufferedImage;
 
 import arguments.Messages;
 
-/** Shows a picture at any zoom: a checkerboard where it is transparent, a grid between large pixels, a pinned pixel. */
+/** Shows a picture at any zoom: checkerboard behind it, grid between large pixels, frame around the pinned pixel. */
 final class PictureView extends Drawing {
 
   private static final long serialVersionUID = 1L;
 
-  /** Is told what the user points at; pixels count from the upper left corner. */
+  /** Receives the pixels that the user points at, counted from the upper left corner. */
   interface PixelListener {
 
-    /** The pointer is at a pixel; null if it is at none. */
+    /** The pointer is over a pixel; null if it is over none. */
     void hovered(Point pixel);
 
-    /** A pixel was chosen. */
+    /** A pixel has been pinned. */
     void pinned(Point pixel);
   }
 
   private final transient PixelListener listener;
   private transient BufferedImage picture = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB);
   private transient BufferedImage overlay;
-  private transient BufferedImage dots;
+  private transient BufferedImage buffer;
   private transient Zoom zoom = new Zoom(1, 0, 0);
   private boolean fitting = true;
   private boolean hasPicture;
-  private boolean filling;
+  private boolean rendering;
   private Point pinned;
   private double secondsToPaint;
 
@@ -61,14 +61,14 @@ final class PictureView extends Drawing {
     });
   }
 
-  /** Shows nothing. */
+  /** Removes the picture. */
   void clear() {
     hasPicture = false;
     overlay = null;
     changed();
   }
 
-  /** Shows another picture; of the same size it keeps zoom and pinned pixel. */
+  /** Shows another picture. Zoom and pinned pixel are kept if it has the same size. */
   void setPicture(final BufferedImage next) {
     final boolean sameSize = next.getWidth() == picture.getWidth() && next.getHeight() == picture.getHeight();
     picture = next;
@@ -86,9 +86,9 @@ final class PictureView extends Drawing {
     repaint();
   }
 
-  /** Whether the picture is still coming into being: then it is painted as quickly as possible. */
-  void setFilling(final boolean next) {
-    filling = next;
+  /** Sets whether the picture is being rendered; if so it is painted as fast as possible. */
+  void setRendering(final boolean next) {
+    rendering = next;
     repaint();
   }
 
@@ -100,7 +100,7 @@ final class PictureView extends Drawing {
     return hasPicture;
   }
 
-  /** Shows something over the picture, such as the mask of a comparison; null for nothing. */
+  /** Sets an image to be shown over the picture, such as the mask of a comparison; null for none. */
   void setOverlay(final BufferedImage mask) {
     overlay = mask;
     repaint();
@@ -110,7 +110,7 @@ final class PictureView extends Drawing {
     return overlay != null;
   }
 
-  /** Some pixels have changed. */
+  /** Repaints pixels that have changed. */
   void repaintPixels(final Rectangle pixels) {
     if (!pixels.isEmpty()) {
       final Rectangle dirty = zoom().onScreen(pixels);
@@ -119,8 +119,8 @@ final class PictureView extends Drawing {
     }
   }
 
-  /** Dots of the screen to a point. */
-  private double dotsToAPoint() {
+  /** Device pixels per unit of the component's coordinates. */
+  private double deviceScale() {
     return getGraphicsConfiguration() == null ? 1 : getGraphicsConfiguration().getDefaultTransform().getScaleX();
   }
 
@@ -137,9 +137,9 @@ final class PictureView extends Drawing {
     changed();
   }
 
-  /** How many dots of the screen a pixel has. */
+  /** Device pixels per pixel of the picture. */
   double magnification() {
-    return zoom().scale() * dotsToAPoint();
+    return zoom().scale() * deviceScale();
   }
 
   void fit() {
@@ -147,20 +147,20 @@ final class PictureView extends Drawing {
     changed();
   }
 
-  /** A pixel of the picture to a dot of the screen. */
+  /** Shows each pixel of the picture as one device pixel. */
   void oneToOne() {
-    setZoom(Zoom.centred(1 / dotsToAPoint(), picture.getWidth(), picture.getHeight(), getWidth(), getHeight()));
+    setZoom(Zoom.centred(1 / deviceScale(), picture.getWidth(), picture.getHeight(), getWidth(), getHeight()));
   }
 
   void zoomAbout(final Point2D place, final double factor) {
     setZoom(zoom().about(place, factor));
   }
 
-  /** Zooms about the pinned pixel, or about the middle. */
+  /** Zooms about the pinned pixel if it is visible, else about the centre. */
   void zoomBy(final double factor) {
     final Rectangle pixel = pinned == null ? null : zoom().onScreen(new Rectangle(pinned, new Dimension(1, 1)));
-    final boolean seen = pixel != null && getVisibleRect().intersects(pixel);
-    zoomAbout(seen ? new Point2D.Double(pixel.getCenterX(), pixel.getCenterY())
+    final boolean visible = pixel != null && getVisibleRect().intersects(pixel);
+    zoomAbout(visible ? new Point2D.Double(pixel.getCenterX(), pixel.getCenterY())
         : new Point2D.Double(getWidth() / 2.0, getHeight() / 2.0), factor);
   }
 
@@ -168,7 +168,7 @@ final class PictureView extends Drawing {
     setZoom(zoom().moved(dx, dy));
   }
 
-  /** Pins a pixel; one outside the picture is left alone. */
+  /** Pins a pixel; a pixel outside the picture is ignored. */
   void pin(final Point pixel) {
     if (hasPicture && isPixel(pixel)) {
       pinned = new Point(pixel);
@@ -177,15 +177,15 @@ final class PictureView extends Drawing {
     }
   }
 
-  /** Pins a pixel and brings it into view, large enough to be seen. */
+  /** Pins a pixel and centres it, magnified enough to be recognisable. */
   void show(final Point pixel) {
-    final Zoom near = new Zoom(Math.max(zoom().scale(), PicturePainter.GRID_FROM / dotsToAPoint()), 0, 0);
+    final Zoom near = new Zoom(Math.max(zoom().scale(), PicturePainter.MIN_GRID_SIZE / deviceScale()), 0, 0);
     setZoom(near.centredOn(pixel, getWidth(), getHeight()));
     pin(pixel);
   }
 
-  /** Pins the pixel beside the pinned one; the middle one, if there is none. */
-  void pinBeside(final int dx, final int dy) {
+  /** Pins a neighbour of the pinned pixel, or the central pixel if none is pinned. */
+  void pinNeighbour(final int dx, final int dy) {
     pin(pinned == null ? new Point(picture.getWidth() / 2, picture.getHeight() / 2)
         : new Point(pinned.x + dx, pinned.y + dy));
   }
@@ -208,7 +208,7 @@ final class PictureView extends Drawing {
     return pixel.x >= 0 && pixel.y >= 0 && pixel.x < picture.getWidth() && pixel.y < picture.getHeight();
   }
 
-  /** How long it took to paint the picture the last time. */
+  /** Duration of the last painting, in seconds. */
   double secondsToPaint() {
     return secondsToPaint;
   }
@@ -217,31 +217,31 @@ final class PictureView extends Drawing {
   protected void paintComponent(final Graphics graphics) {
     final long begin = System.nanoTime();
     final Graphics2D g = (Graphics2D) graphics.create();
-    final AffineTransform toDots = g.getTransform();
-    final double scale = toDots.getScaleX();
+    final AffineTransform toDevice = g.getTransform();
+    final double scale = toDevice.getScaleX();
     final Rectangle clip = g.getClipBounds().intersection(new Rectangle(getSize()));
     final Rectangle part = new Zoom(scale, 0, 0).onScreen(clip);
-    prepareDots((int) Math.ceil(getWidth() * scale), (int) Math.ceil(getHeight() * scale));
+    prepareBuffer((int) Math.ceil(getWidth() * scale), (int) Math.ceil(getHeight() * scale));
     paint(part, scale);
-    g.setTransform(AffineTransform.getTranslateInstance(Math.round(toDots.getTranslateX()),
-        Math.round(toDots.getTranslateY())));
-    g.drawImage(dots, part.x, part.y, part.x + part.width, part.y + part.height, part.x, part.y, part.x + part.width,
+    g.setTransform(AffineTransform.getTranslateInstance(Math.round(toDevice.getTranslateX()),
+        Math.round(toDevice.getTranslateY())));
+    g.drawImage(buffer, part.x, part.y, part.x + part.width, part.y + part.height, part.x, part.y, part.x + part.width,
         part.y + part.height, null);
     g.dispose();
     secondsToPaint = 1e-9 * (System.nanoTime() - begin);
   }
 
-  private void prepareDots(final int width, final int height) {
-    if (dots == null || dots.getWidth() != width || dots.getHeight() != height) {
-      dots = new BufferedImage(Math.max(1, width), Math.max(1, height), BufferedImage.TYPE_INT_RGB);
+  private void prepareBuffer(final int width, final int height) {
+    if (buffer == null || buffer.getWidth() != width || buffer.getHeight() != height) {
+      buffer = new BufferedImage(Math.max(1, width), Math.max(1, height), BufferedImage.TYPE_INT_RGB);
     }
   }
 
   private void paint(final Rectangle part, final double scale) {
-    final PicturePainter painter = new PicturePainter(dots, part, zoom(), scale, picture.getWidth(), picture.getHeight());
+    final PicturePainter painter = new PicturePainter(buffer, part, zoom(), scale, picture.getWidth(), picture.getHeight());
     painter.paintGround(getBackground(), hasPicture);
     if (hasPicture) {
-      painter.paint(picture, filling);
+      painter.paint(picture, rendering);
       if (overlay != null) {
         painter.paint(overlay, false);
       }

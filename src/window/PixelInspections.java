@@ -10,59 +10,59 @@ import inspection.Inspection;
 import inspection.Inspector;
 import upnatray.RenderJob;
 
-/** Asks pixels in the background, so that a shape that is slow to answer, or never does, does not hold up the window. */
+/** Inspects pixels in the background, so that a shape that is slow or never returns cannot block the window. */
 final class PixelInspections {
 
-  /** After so long without an answer it is shown that there will be one. */
-  static final int SOON = 300;
+  /** Delay in ms before "waiting" is shown. */
+  static final int WAITING_DELAY_MS = 300;
 
   private final RenderWindow window;
   private final LatestOnlyExecutor background = new LatestOnlyExecutor("inspector");
-  private Object question;
+  private Object pending;
 
   PixelInspections(final RenderWindow window) {
     this.window = window;
   }
 
-  /** Asks a pixel of a picture, counted from the upper left corner. */
-  void ask(final RenderJob job, final Point pixel) {
+  /** Inspects a pixel of a picture, counted from the upper left corner. */
+  void inspect(final RenderJob job, final Point pixel) {
     final int W = job.image().getWidth(), H = job.image().getHeight(), m = pixel.x, n = H - 1 - pixel.y;
-    final Object asked = new Object();
-    question = asked;
+    final Object request = new Object();
+    pending = request;
     background.execute(() -> {
       try {
         final Inspection inspection = new Inspector(job.scene(), W, H).inspect(m, n);
-        SwingUtilities.invokeLater(() -> answered(asked, job, inspection));
+        SwingUtilities.invokeLater(() -> succeeded(request, job, inspection));
       } catch (final RuntimeException | Error failure) {
-        SwingUtilities.invokeLater(() -> failed(asked, failure));
+        SwingUtilities.invokeLater(() -> failed(request, failure));
       }
     });
-    final Timer soon = new Timer(SOON, event -> {
-      if (question == asked) {
+    final Timer timer = new Timer(WAITING_DELAY_MS, event -> {
+      if (pending == request) {
         window.inspector().showNothing(Messages.text("window.inspector.waiting", m, n));
       }
     });
-    soon.setRepeats(false);
-    soon.start();
+    timer.setRepeats(false);
+    timer.start();
   }
 
-  private void answered(final Object asked, final RenderJob job, final Inspection inspection) {
-    if (question == asked) {
-      question = null;
+  private void succeeded(final Object request, final RenderJob job, final Inspection inspection) {
+    if (pending == request) {
+      pending = null;
       window.inspector().show(inspection);
       window.dialogs().showRay(job, inspection);
     }
   }
 
-  private void failed(final Object asked, final Throwable failure) {
-    if (question == asked) {
-      question = null;
+  private void failed(final Object request, final Throwable failure) {
+    if (pending == request) {
+      pending = null;
       window.inspector().showNothing(Failure.problem(failure).toString());
     }
   }
 
-  /** The answer is no longer wanted. */
-  void forget() {
-    question = null;
+  /** Discards the result of the current inspection. */
+  void discard() {
+    pending = null;
   }
 }

@@ -13,7 +13,7 @@ import javax.swing.table.AbstractTableModel;
 import arguments.Messages;
 import diagnostics.Problem;
 
-/** The list of what is wrong with a scene: file, line, column, message. It is there only if something is. */
+/** Lists the errors and warnings of a scene with file, line and column. It is hidden while there are none. */
 final class ProblemTable extends JPanel {
 
   private static final long serialVersionUID = 1L;
@@ -21,7 +21,6 @@ final class ProblemTable extends JPanel {
   private static final String[] COLUMNS = {"kind", "file", "line", "column", "message"};
   private static final int[] WIDTHS = {70, 160, 60, 80, 800};
 
-  /** The rows. */
   private static final class Rows extends AbstractTableModel {
 
     private static final long serialVersionUID = 1L;
@@ -60,7 +59,7 @@ final class ProblemTable extends JPanel {
   private final JTable table = new JTable(rows) {
     private static final long serialVersionUID = 1L;
 
-    /** The whole path, too. */
+    /** The whole problem, with the path of its file. */
     @Override
     public String getToolTipText(final java.awt.event.MouseEvent event) {
       final int row = rowAtPoint(event.getPoint());

@@ -8,28 +8,28 @@ import java.awt.image.BufferedImage;
 import rendering.Progress;
 
 /**
- * The picture that is shown while it is rendered: at first it looks like the one before, if that has the same size, or is
- * transparent. Rendering writes every pixel once; so there is no need of a copy, which would take time.
+ * A picture shown while it is rendered. Initially it shows the previous picture if that has the same size, else it is
+ * transparent. As rendering writes each pixel exactly once, no copy is needed.
  */
 final class ProgressivePicture implements Progress {
 
-  private final BufferedImage picture;
+  private final BufferedImage image;
   private final Rectangle changed = new Rectangle();
 
-  ProgressivePicture(final BufferedImage toBeRendered, final BufferedImage before) {
-    this.picture = toBeRendered;
-    if (before != null && before.getWidth() == picture.getWidth() && before.getHeight() == picture.getHeight()) {
-      picture.getRaster().setDataElements(0, 0, before.getRaster());
+  ProgressivePicture(final BufferedImage image, final BufferedImage previous) {
+    this.image = image;
+    if (previous != null && previous.getWidth() == image.getWidth() && previous.getHeight() == image.getHeight()) {
+      image.getRaster().setDataElements(0, 0, previous.getRaster());
     } else {
-      final Graphics2D g = picture.createGraphics();
+      final Graphics2D g = image.createGraphics();
       g.setComposite(AlphaComposite.Clear);
-      g.fillRect(0, 0, picture.getWidth(), picture.getHeight());
+      g.fillRect(0, 0, image.getWidth(), image.getHeight());
       g.dispose();
     }
   }
 
-  BufferedImage picture() {
-    return picture;
+  BufferedImage image() {
+    return image;
   }
 
   @Override
@@ -44,7 +44,7 @@ final class ProgressivePicture implements Progress {
     return true;
   }
 
-  /** The part of the picture that has changed since the last time that this was asked. */
+  /** Returns the region that has changed since the previous call. */
   Rectangle takeChanged() {
     synchronized (changed) {
       final Rectangle taken = new Rectangle(changed);

@@ -8,30 +8,30 @@ import arguments.Messages;
 import scenes.ReadResult;
 import upnatray.RenderJob;
 
-/** Shows in a window what becomes of a rendering: pixels and progress, legend and problems. */
+/** Presents a rendering in a window: pixels and progress, legend and problems. */
 final class RenderPresenter implements BackgroundRenderer.Listener {
 
-  /** Between two looks at what has been rendered: fast enough to look alive, and cheap. */
-  private static final int MILLISECONDS_BETWEEN = 80;
+  /** Interval between updates of the picture in ms: short enough to look continuous, long enough to be cheap. */
+  private static final int DELAY_MS = 80;
 
-  /** Painting takes at most one part in so many of the time of one core, whatever the size of the picture ... */
-  private static final int PART_FOR_PAINTING = 40;
+  /** Painting takes at most 1/40 of the time of one core, whatever the size of the picture ... */
+  private static final int PAINTING_RATIO = 40;
 
-  /** ... unless it would be seen too seldom. */
-  private static final int MOST_MILLISECONDS_BETWEEN = 500;
+  /** ... but the picture is updated at least this often. */
+  private static final int MAX_DELAY_MS = 500;
 
   private final RenderWindow window;
-  private final Timer clock = new Timer(MILLISECONDS_BETWEEN, event -> showProgress());
+  private final Timer updates = new Timer(DELAY_MS, event -> showProgress());
   private RenderJob job;
-  private ProgressivePicture canvas;
-  private StallDetector standstill = new StallDetector();
+  private ProgressivePicture picture;
+  private StallDetector stall = new StallDetector();
   private boolean running;
 
   RenderPresenter(final RenderWindow window) {
     this.window = window;
   }
 
-  /** What is shown, or was before; null if there is nothing. */
+  /** The rendering that is shown; null if there is none. */
   RenderJob job() {
     return job;
   }
@@ -40,17 +40,17 @@ final class RenderPresenter implements BackgroundRenderer.Listener {
     return running;
   }
 
-  /** Something else is opened. */
-  void forget() {
+  /** Drops the rendering: another scene is being opened. */
+  void reset() {
     job = null;
-    canvas = null;
+    picture = null;
   }
 
   @Override
-  public void read(final ReadResult reading) {
-    window.problems().show(reading.problems());
-    if (reading.scene().isPresent()) {
-      window.session().watchMeshes(reading.scene().get());
+  public void read(final ReadResult result) {
+    window.problems().show(result.problems());
+    if (result.scene().isPresent()) {
+      window.session().watchMeshes(result.scene().get());
     } else {
       end(Messages.text(job == null ? "window.status.errors" : "window.status.errorsBefore"));
       if (job == null) {
@@ -60,13 +60,13 @@ final class RenderPresenter implements BackgroundRenderer.Listener {
   }
 
   @Override
-  public void started(final RenderJob next, final ProgressivePicture itsCanvas) {
+  public void started(final RenderJob next, final ProgressivePicture nextPicture) {
     job = next;
-    canvas = itsCanvas;
+    picture = nextPicture;
     running = true;
-    standstill = new StallDetector();
-    window.view().setPicture(itsCanvas.picture());
-    window.view().setFilling(true);
+    stall = new StallDetector();
+    window.view().setPicture(nextPicture.image());
+    window.view().setRendering(true);
     window.status().setRunning(true);
     window.cancelCommand().setEnabled(true);
     if (window.session().file() == null) {
@@ -76,17 +76,17 @@ final class RenderPresenter implements BackgroundRenderer.Listener {
       window.inspector().clear();
     }
     showProgress();
-    clock.start();
+    updates.start();
   }
 
-  /** Shows the pixels that are new. */
+  /** Shows the pixels rendered since the last update. */
   private void showProgress() {
-    if (canvas != null) {
-      window.view().repaintPixels(canvas.takeChanged());
+    if (picture != null) {
+      window.view().repaintPixels(picture.takeChanged());
       window.legend().setScale(job.scale().orElse(null));
-      clock.setDelay((int) Math.max(MILLISECONDS_BETWEEN, Math.min(MOST_MILLISECONDS_BETWEEN,
-          1e3 * PART_FOR_PAINTING * window.view().secondsToPaint())));
-      standstill.look(job.share()).ifPresentOrElse(window.status()::showText, () -> window.status().showProgress(job));
+      updates.setDelay((int) Math.max(DELAY_MS, Math.min(MAX_DELAY_MS,
+          1e3 * PAINTING_RATIO * window.view().secondsToPaint())));
+      stall.check(job.share()).ifPresentOrElse(window.status()::showText, () -> window.status().showProgress(job));
     }
   }
 
@@ -106,29 +106,29 @@ final class RenderPresenter implements BackgroundRenderer.Listener {
     window.problems().show(List.of(Failure.problem(failure)));
   }
 
-  /** Cancels the rendering. A shape that does not answer is not waited for. */
+  /** Cancels the rendering. After a grace period it counts as ended even if a shape has not returned. */
   void cancel() {
     window.session().cancel();
     final RenderJob cancelled = job;
-    final Timer patience = new Timer(LatestOnlyExecutor.PATIENCE, event -> {
+    final Timer timer = new Timer(LatestOnlyExecutor.GRACE_PERIOD_MS, event -> {
       if (running && job == cancelled) {
         finished(job, false);
       }
     });
-    patience.setRepeats(false);
-    patience.start();
+    timer.setRepeats(false);
+    timer.start();
   }
 
   private void end(final String message) {
-    clock.stop();
+    updates.stop();
     running = false;
-    window.view().setFilling(false);
+    window.view().setRendering(false);
     window.cancelCommand().setEnabled(false);
     window.status().setRunning(false);
     window.status().showText(message);
   }
 
   void stop() {
-    clock.stop();
+    updates.stop();
   }
 }

@@ -26,8 +26,8 @@ import upnatray.RenderJob;
 import view.Camera;
 
 /**
- * A window that shows a picture while it is rendered, and what its pixels are made of. All its methods but {@link #show} are
- * called by the event thread.
+ * A window that shows a picture while it is rendered and explains its pixels. All methods but {@link #show} must be called
+ * on the event dispatch thread.
  */
 public final class RenderWindow {
 
@@ -37,19 +37,19 @@ public final class RenderWindow {
   private final InspectorPanel inspector = new InspectorPanel();
   private final ProblemTable problems = new ProblemTable();
   private final LegendView legend = new LegendView();
-  private final RenderPresenter showing = new RenderPresenter(this);
-  private final PixelInspections questions = new PixelInspections(this);
+  private final RenderPresenter presenter = new RenderPresenter(this);
+  private final PixelInspections inspections = new PixelInspections(this);
   private final Command render = Command.of("render", "F5", this::renderAgain);
-  private final Command cancel = Command.of("cancel", "ESCAPE", showing::cancel);
+  private final Command cancel = Command.of("cancel", "ESCAPE", presenter::cancel);
   private final StatusBar status = new StatusBar(cancel);
   private final Dialogs dialogs = new Dialogs(this);
   private final Session session;
   private final ToolBar toolBar;
   private final MenuBar menus;
 
-  RenderWindow(final Settings settings, final RenderPass what, final int threads) {
+  RenderWindow(final Settings settings, final RenderPass pass, final int threads) {
     this.settings = settings;
-    this.session = new Session(showing, what, threads);
+    this.session = new Session(presenter, pass, threads);
     this.toolBar = new ToolBar(this);
     this.menus = new MenuBar(this);
     cancel.setEnabled(false);
@@ -70,16 +70,16 @@ public final class RenderWindow {
   }
 
   /**
-   * Opens a window for a scene of a program of one's own, such as one that tries out a new shape.
+   * Opens a window for a scene built by a program, such as one that tries out a new shape.
    *
    * @param title title of the window
-   * @param objects what there is to see
+   * @param objects the objects of the scene
    * @param camera the camera, with its projection
    * @param W width of the picture in pixels, at least 1
    * @param H height of the picture in pixels, at least 1
-   * @param background colour of pixels that show nothing
-   * @throws IllegalArgumentException if an argument is null, or if there is no pixel
-   * @throws IllegalStateException if the camera has no projection, or if there is no display
+   * @param background colour of pixels without a hit
+   * @throws IllegalArgumentException if an argument is null, or if W or H is not positive
+   * @throws IllegalStateException if the camera has no projection, or if no display is available
    */
   public static void show(final String title, final Group3D objects, final Camera camera, final int W, final int H,
       final Color background) {
@@ -112,25 +112,25 @@ public final class RenderWindow {
     Arrangement.place(frame, settings.bounds());
   }
 
-  /** Opens a scene file, and watches it from now on. If it is none, such as a root, which has no name, that is told. */
+  /** Opens a scene file and watches it. A path that is not a scene file, such as a root folder, is listed as a problem. */
   void open(final Path path) {
     final Path folder = path.toAbsolutePath().getParent(), name = path.getFileName();
     settings.addRecent(path);
     settings.setFolder(folder == null ? path : folder);
     menus.fillRecent();
-    begin((name == null ? path : name).toString());
+    prepare((name == null ? path : name).toString());
     session.open(path);
   }
 
-  void open(final SceneFile known) {
-    begin(known.name());
-    session.open(known);
+  void open(final SceneFile scene) {
+    prepare(scene.name());
+    session.open(scene);
   }
 
-  private void begin(final String name) {
+  private void prepare(final String name) {
     frame.setTitle(name + " \u2014 UPNaTRay");
     render.setEnabled(true);
-    showing.forget();
+    presenter.reset();
     unpin();
     status.showPixel(null, 0, 0);
     status.showText(Messages.text("window.status.reading", name));
@@ -140,13 +140,13 @@ public final class RenderWindow {
     session.render();
   }
 
-  void setWhat(final RenderPass next) {
+  void setPass(final RenderPass next) {
     menus.select(next);
     toolBar.select(next);
-    session.setView(next);
+    session.setPass(next);
   }
 
-  /** The size of the first picture. */
+  /** Sets the size of the first picture. */
   void startWithSize(final PictureSize first) {
     session.startWithSize(first);
     toolBar.select(first);
@@ -157,7 +157,7 @@ public final class RenderWindow {
   }
 
   void unpin() {
-    questions.forget();
+    inspections.discard();
     view.unpin();
     inspector.clear();
   }
@@ -181,11 +181,11 @@ public final class RenderWindow {
     dialogs.chooseReference();
   }
 
-  void showOutside() {
+  void showWireframe() {
     if (job() != null) {
-      dialogs.showOutside(job());
+      dialogs.showWireframe(job());
       if (view.pinned() != null) {
-        questions.ask(job(), view.pinned());
+        inspections.inspect(job(), view.pinned());
       }
     }
   }
@@ -196,19 +196,19 @@ public final class RenderWindow {
     Theme.update();
   }
 
-  /** Ends it all; with the last window the program ends too. */
+  /** Closes the window. The program ends with its last window. */
   void close() {
     if ((frame.getExtendedState() & Frame.MAXIMIZED_BOTH) == 0) {
       settings.setBounds(frame.getBounds());
     }
     settings.save();
     session.stop();
-    showing.stop();
+    presenter.stop();
     dialogs.close();
     frame.dispose();
   }
 
-  /** What the user points at. */
+  /** Shows and inspects the pixels that the user points at. */
   private final class Pointing implements PictureView.PixelListener {
 
     @Override
@@ -220,7 +220,7 @@ public final class RenderWindow {
     public void pinned(final Point pixel) {
       hovered(pixel);
       if (job() != null) {
-        questions.ask(job(), pixel);
+        inspections.inspect(job(), pixel);
       }
     }
   }
@@ -270,11 +270,11 @@ public final class RenderWindow {
   }
 
   boolean isRunning() {
-    return showing.isRunning();
+    return presenter.isRunning();
   }
 
-  /** What is shown, or was before; null if there is nothing. */
+  /** The rendering that is shown; null if there is none. */
   RenderJob job() {
-    return showing.job();
+    return presenter.job();
   }
 }

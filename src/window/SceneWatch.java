@@ -13,14 +13,14 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Watches files, and tells when one has changed. It looks at them again and again: that finds files that editors replace
- * instead of writing them, and works on every file system.
+ * Watches files and reports changes. It polls them, which works on every file system and also notices files that an editor
+ * replaces instead of rewriting.
  */
 final class SceneWatch {
 
-  private static final long MILLISECONDS_BETWEEN = 250;
+  private static final long DELAY_MS = 250;
 
-  /** What a file looks like from outside. A file that is not there has size -1. */
+  /** The attributes that reveal a change. A missing file has size -1. */
   private record State(FileTime time, long size) {
 
     static State of(final Path file) {
@@ -33,7 +33,7 @@ final class SceneWatch {
     }
   }
 
-  private final Runnable changed;
+  private final Runnable listener;
   private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(job -> {
     final Thread thread = new Thread(job, "scene watch");
     thread.setDaemon(true);
@@ -42,13 +42,13 @@ final class SceneWatch {
   private final Map<Path, State> states = new HashMap<>();
   private boolean unsettled;
 
-  /** A watch of no files yet. Whoever is told is called by a thread of the watch. */
-  SceneWatch(final Runnable changed) {
-    this.changed = changed;
-    clock.scheduleWithFixedDelay(this::look, MILLISECONDS_BETWEEN, MILLISECONDS_BETWEEN, TimeUnit.MILLISECONDS);
+  /** A watch without files. The listener is called on a thread of the watch. */
+  SceneWatch(final Runnable listener) {
+    this.listener = listener;
+    clock.scheduleWithFixedDelay(this::poll, DELAY_MS, DELAY_MS, TimeUnit.MILLISECONDS);
   }
 
-  /** Watches these files from now on, and no others. */
+  /** Sets the files to be watched. */
   synchronized void watch(final Collection<Path> files) {
     states.keySet().retainAll(files);
     for (final Path file : files) {
@@ -56,16 +56,16 @@ final class SceneWatch {
     }
   }
 
-  /** Tells of a change once two looks in a row found the same: a file is not read while it is being written. */
-  private void look() {
-    if (look(states)) {
-      changed.run();
+  /** Reports a change once two successive polls agree, so that a file is not read while it is being written. */
+  private void poll() {
+    if (hasSettled()) {
+      listener.run();
     }
   }
 
-  private synchronized boolean look(final Map<Path, State> known) {
+  private synchronized boolean hasSettled() {
     boolean different = false;
-    for (final Map.Entry<Path, State> file : known.entrySet()) {
+    for (final Map.Entry<Path, State> file : states.entrySet()) {
       final State now = State.of(file.getKey());
       different |= !now.equals(file.setValue(now));
     }

@@ -9,7 +9,7 @@ import javax.swing.SwingUtilities;
 import scenes.SceneFile;
 import rendering.RenderPass;
 
-/** What is open in a window, and how it is to be rendered. It is rendered anew when the scene or a mesh of it is saved. */
+/** The open scene and how to render it. It is rendered again whenever the scene file or one of its meshes changes. */
 final class Session {
 
   private final BackgroundRenderer renderer;
@@ -17,17 +17,17 @@ final class Session {
   private final int threads;
   private Path file;
   private SceneFile scene;
-  private RenderPass view;
+  private RenderPass pass;
   private PictureSize size = PictureSize.OWN;
 
-  /** With nothing open yet, for a number of threads; 0 for one for each core. */
-  Session(final BackgroundRenderer.Listener listener, final RenderPass view, final int threads) {
+  /** A session without a scene. A thread count of 0 means one thread per core. */
+  Session(final BackgroundRenderer.Listener listener, final RenderPass pass, final int threads) {
     this.renderer = new BackgroundRenderer(listener);
-    this.view = view;
+    this.pass = pass;
     this.threads = threads > 0 ? threads : Runtime.getRuntime().availableProcessors();
   }
 
-  /** Opens a scene file, and watches it from now on. */
+  /** Opens a scene file and watches it. */
   void open(final Path path) {
     file = path;
     scene = null;
@@ -35,18 +35,18 @@ final class Session {
     render();
   }
 
-  /** Opens a scene of a program of one's own. */
-  void open(final SceneFile known) {
+  /** Opens a scene built by a program. */
+  void open(final SceneFile given) {
     file = null;
-    scene = known;
+    scene = given;
     watch.watch(List.of());
     render();
   }
 
-  /** Reads the file, if it is one, and renders. */
+  /** Renders the scene, after reading its file again if it has one. */
   void render() {
     if (isOpen()) {
-      renderer.render(new BackgroundRenderer.RenderRequest(file, scene, view, size, threads));
+      renderer.render(new BackgroundRenderer.RenderRequest(file, scene, pass, size, threads));
     }
   }
 
@@ -54,28 +54,28 @@ final class Session {
     return file != null || scene != null;
   }
 
-  /** Watches the meshes of the scene too. */
+  /** Watches the mesh files of the scene too. */
   void watchMeshes(final SceneFile read) {
     final List<Path> files = new ArrayList<>(read.meshes());
     files.add(file);
     watch.watch(files);
   }
 
-  /** The file that is open; null if there is none. */
+  /** The file of the scene; null if it has none. */
   Path file() {
     return file;
   }
 
-  RenderPass view() {
-    return view;
+  RenderPass pass() {
+    return pass;
   }
 
-  void setView(final RenderPass next) {
-    view = next;
+  void setPass(final RenderPass next) {
+    pass = next;
     render();
   }
 
-  /** The size of the first picture. */
+  /** Sets the size of the first picture. */
   void startWithSize(final PictureSize first) {
     size = first;
   }

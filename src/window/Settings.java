@@ -9,13 +9,13 @@ import java.util.logging.Logger;
 import java.util.prefs.BackingStoreException;
 import java.util.prefs.Preferences;
 
-/** What the window remembers from one run to the next, in the preferences of the user. */
+/** The settings of the window, kept in the user's preferences. */
 final class Settings {
 
-  private static final int MOST_RECENT = 8;
+  private static final int MAX_RECENT = 8;
 
-  /** Where nothing can be kept, the preferences would complain about it every half minute. */
-  private static final Logger COMPLAINTS = Logger.getLogger("java.util.prefs");
+  /** Where preferences cannot be stored, their logger would warn every 30 seconds. */
+  private static final Logger PREFERENCES_LOGGER = Logger.getLogger("java.util.prefs");
 
   private final Preferences preferences;
 
@@ -24,7 +24,7 @@ final class Settings {
   }
 
   static Settings ofUser() {
-    COMPLAINTS.setLevel(Level.OFF);
+    PREFERENCES_LOGGER.setLevel(Level.OFF);
     return new Settings(Preferences.userRoot().node("upnatray/window"));
   }
 
@@ -48,7 +48,7 @@ final class Settings {
     preferences.putInt("height", bounds.height);
   }
 
-  /** The folder where the last file was. */
+  /** The folder of the file used last. */
   Path folder() {
     return Path.of(preferences.get("folder", ""));
   }
@@ -57,10 +57,10 @@ final class Settings {
     preferences.put("folder", folder.toString());
   }
 
-  /** The scenes opened last, the latest first. */
+  /** The recently opened scenes, the latest first. */
   List<Path> recent() {
     final List<Path> recent = new ArrayList<>();
-    for (int i = 0; i < MOST_RECENT; i++) {
+    for (int i = 0; i < MAX_RECENT; i++) {
       final String path = preferences.get("recent" + i, "");
       if (!path.isEmpty()) {
         recent.add(Path.of(path));
@@ -69,24 +69,24 @@ final class Settings {
     return recent;
   }
 
-  /** Puts a scene first. A path too long to be remembered is left out. */
+  /** Adds a scene as the latest. A path too long for the preferences is omitted. */
   void addRecent(final Path scene) {
     final List<Path> recent = recent();
     final Path absolute = scene.toAbsolutePath().normalize();
     recent.remove(absolute);
     recent.add(0, absolute);
     recent.removeIf(path -> path.toString().length() > Preferences.MAX_VALUE_LENGTH);
-    for (int i = 0; i < Math.min(MOST_RECENT, recent.size()); i++) {
+    for (int i = 0; i < Math.min(MAX_RECENT, recent.size()); i++) {
       preferences.put("recent" + i, recent.get(i).toString());
     }
   }
 
-  /** Writes what has changed; what cannot be written is forgotten, which does no harm. */
+  /** Stores the settings. Failure is harmless: the next run uses the previous ones. */
   void save() {
     try {
       preferences.flush();
-    } catch (final BackingStoreException forgotten) {
-      System.getLogger("upnatray").log(System.Logger.Level.DEBUG, forgotten);
+    } catch (final BackingStoreException failure) {
+      System.getLogger("upnatray").log(System.Logger.Level.DEBUG, failure);
     }
   }
 }

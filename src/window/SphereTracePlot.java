@@ -15,7 +15,7 @@ import java.util.Locale;
 import arguments.Messages;
 import models.SphereTrace;
 
-/** A march as a plot: to the right the distance along the ray, upwards the signed distance, a dot for each step. */
+/** Plots a sphere trace: the signed distance over the distance along the ray, with a dot for each step. */
 final class SphereTracePlot extends Drawing {
 
   private static final long serialVersionUID = 1L;
@@ -28,15 +28,15 @@ final class SphereTracePlot extends Drawing {
   private transient List<SphereTrace.Step> steps = List.of();
 
   SphereTracePlot() {
-    super("march.name");
-    setName("march");
+    super("trace.name");
+    setName("trace");
     setPreferredSize(new Dimension(200, 150));
     setVisible(false);
-    setToolTipText(Messages.text("window.march.tip"));
+    setToolTipText(Messages.text("window.trace.tip"));
   }
 
-  /** Shows a march; null for none. Steps to where there is no distance have no place in it. */
-  void setMarch(final SphereTrace next) {
+  /** Shows a trace; null hides the plot. Steps without a finite distance are left out. */
+  void setTrace(final SphereTrace next) {
     steps = next == null ? List.of() : next.steps().stream()
         .filter(step -> Double.isFinite(step.t()) && Double.isFinite(step.distance())).toList();
     setVisible(next != null);
@@ -51,22 +51,22 @@ final class SphereTracePlot extends Drawing {
     }
     final Graphics2D g = (Graphics2D) graphics.create();
     g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-    double greatestT = 0, most = 0, least = 0;
+    double maxT = 0, max = 0, min = 0;
     for (final SphereTrace.Step step : steps) {
-      greatestT = Math.max(greatestT, step.t());
-      most = Math.max(most, step.distance());
-      least = Math.min(least, step.distance());
+      maxT = Math.max(maxT, step.t());
+      max = Math.max(max, step.distance());
+      min = Math.min(min, step.distance());
     }
     final FontMetrics font = g.getFontMetrics();
     final int top = MARGIN + font.getHeight();
     final double width = getWidth() - 2.0 * MARGIN, height = getHeight() - top - 2.0 * MARGIN;
-    final double kx = width / Math.max(greatestT, Double.MIN_NORMAL);
-    final double ky = height / Math.max(most - least, Double.MIN_NORMAL);
-    final double zero = top + most * ky;
+    final double kx = width / Math.max(maxT, Double.MIN_NORMAL);
+    final double ky = height / Math.max(max - min, Double.MIN_NORMAL);
+    final double zero = top + max * ky;
     g.setColor(Color.GRAY);
     g.draw(new Line2D.Double(MARGIN, zero, MARGIN + width, zero));
-    g.drawString("SDF " + text(least) + " ... " + text(most), MARGIN, MARGIN + font.getAscent() - 4);
-    final String end = "t = " + text(greatestT);
+    g.drawString("SDF " + text(min) + " ... " + text(max), MARGIN, MARGIN + font.getAscent() - 4);
+    final String end = "t = " + text(maxT);
     g.drawString(end, getWidth() - MARGIN - font.stringWidth(end), MARGIN + font.getAscent() - 4);
     paintSteps(g, kx, ky, zero);
     g.dispose();
@@ -75,19 +75,19 @@ final class SphereTracePlot extends Drawing {
   private void paintSteps(final Graphics2D g, final double kx, final double ky, final double zero) {
     g.setStroke(new BasicStroke(1));
     final int last = steps.size() - 1;
-    double beforeX = 0, beforeY = 0;
+    double previousX = 0, previousY = 0;
     for (int i = 0; i <= last; i++) {
       final SphereTrace.Step step = steps.get(i);
       final double x = MARGIN + step.t() * kx, y = zero - step.distance() * ky;
       g.setColor(LINE);
       if (i > 0) {
-        g.draw(new Line2D.Double(beforeX, beforeY, x, y));
+        g.draw(new Line2D.Double(previousX, previousY, x, y));
       }
       g.draw(new Line2D.Double(x, zero, x, y));
       g.setColor(i == last ? END : LINE);
       g.fill(new Ellipse2D.Double(x - DOT / 2, y - DOT / 2, DOT, DOT));
-      beforeX = x;
-      beforeY = y;
+      previousX = x;
+      previousY = y;
     }
   }
 

@@ -7,28 +7,28 @@ import models.Object3D;
 
 import rendering.TileRenderer;
 
-/** Notices that a rendering does not get on, and finds out which object keeps it so long. */
+/** Detects that a rendering has stalled, and finds the method of the object in which it hangs. */
 final class StallDetector {
 
-  /** For how long no tile may be finished without anybody wondering. */
-  private static final double SECONDS = 3;
+  /** Seconds without a finished tile that count as a stall. */
+  private static final double STALL_SECONDS = 3;
 
   private double share = -1;
   private long since;
 
-  /** What to tell if no tile has been finished for long; how much is done tells whether one was. */
-  Optional<String> look(final double done) {
+  /** Returns a message if the completed share has not changed for a while. */
+  Optional<String> check(final double completed) {
     final long now = System.nanoTime();
-    if (done != share) {
-      share = done;
+    if (completed != share) {
+      share = completed;
       since = now;
     }
     final double seconds = 1e-9 * (now - since);
-    return seconds < SECONDS ? Optional.empty()
-        : Optional.of(Messages.text("window.status.standstill", (int) seconds, place().orElse("?")));
+    return seconds < STALL_SECONDS ? Optional.empty()
+        : Optional.of(Messages.text("window.status.stalled", (int) seconds, place().orElse("?")));
   }
 
-  /** Where the threads that render are: in which method of which object. */
+  /** The innermost method of an object that a rendering thread is in. */
   private static Optional<String> place() {
     for (final StackTraceElement[] trace : Thread.getAllStackTraces().values()) {
       final Optional<String> place = place(trace);

@@ -16,7 +16,7 @@ import javax.swing.JProgressBar;
 import arguments.Messages;
 import upnatray.RenderJob;
 
-/** The line at the foot of the window: the pixel under the pointer, how far the rendering is, and what it did. */
+/** The status bar: the pixel under the pointer, and progress and outcome of the rendering. */
 final class StatusBar extends JPanel {
 
   private static final long serialVersionUID = 1L;
@@ -55,13 +55,13 @@ final class StatusBar extends JPanel {
     setRunning(false);
   }
 
-  /** Shows a pixel in the convention of the assignment, row 0 at the bottom; null for none. */
+  /** Shows a pixel in the convention of the assignment, with row 0 at the bottom; null clears it. */
   void showPixel(final Point place, final int H, final int argb) {
     pixel.setText(place == null ? " " : Messages.text("window.status.pixel", place.x, H - 1 - place.y,
         InspectionTree.colour(argb), String.format(Locale.ROOT, "#%08x", argb)));
   }
 
-  /** Shows how many dots of the screen a pixel has; nothing for 0. */
+  /** Shows the number of device pixels per pixel of the picture; 0 clears it. */
   void showZoom(final double magnification) {
     zoom.setText(magnification == 0 ? " " : String.format(Locale.ROOT, "%.4g %%", 100 * magnification));
   }
@@ -78,7 +78,7 @@ final class StatusBar extends JPanel {
         left < Double.POSITIVE_INFINITY ? seconds(left) : "?", rays(job.raysPerSecond())));
   }
 
-  /** What to tell of a rendering that has ended. */
+  /** The message for a rendering that has ended. */
   static String finished(final RenderJob job, final boolean completed) {
     return Messages.text(completed ? "window.status.finished" : "window.status.cancelled", job.image().getWidth(),
         job.image().getHeight(), seconds(job.seconds()), rays(job.raysPerSecond()));

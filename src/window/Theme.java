@@ -7,7 +7,7 @@ import javax.swing.SwingUtilities;
 import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLightLaf;
 
-/** The look: FlatLaf, light or dark, as in NetBeans. */
+/** The look and feel: FlatLaf, light or dark, as in NetBeans. */
 final class Theme {
 
   private Theme() {
@@ -21,7 +21,7 @@ final class Theme {
     }
   }
 
-  /** Gives all open windows the look installed last. */
+  /** Applies the installed look and feel to all open windows. */
   static void update() {
     for (final Window window : Window.getWindows()) {
       SwingUtilities.updateComponentTreeUI(window);

@@ -14,7 +14,7 @@ import javax.swing.JToolBar;
 import arguments.Messages;
 import rendering.RenderPass;
 
-/** The bar under the menus: render, size, what to show, zoom. */
+/** The tool bar with the most frequent commands, the size of the picture and the pass. */
 final class ToolBar extends JToolBar {
 
   private static final long serialVersionUID = 1L;
@@ -22,7 +22,7 @@ final class ToolBar extends JToolBar {
   private final transient RenderWindow window;
   private final JComboBox<String> size = new JComboBox<>(new String[] {"25 %", "50 %", "100 %", "200 %", "640 x 480",
       "1920 x 1080"});
-  private final JComboBox<RenderPass> what = new JComboBox<>(RenderPass.values());
+  private final JComboBox<RenderPass> pass = new JComboBox<>(RenderPass.values());
   private boolean selecting;
 
   ToolBar(final RenderWindow window) {
@@ -37,17 +37,17 @@ final class ToolBar extends JToolBar {
     size.setEditable(true);
     size.setSelectedItem(PictureSize.OWN.toString());
     size.setMaximumSize(size.getPreferredSize());
-    addLabelled("size", size, event -> takeSize());
+    addLabelled("size", size, event -> applySize());
     addSeparator();
-    what.setName("what");
-    what.setSelectedItem(window.session().view());
-    what.setRenderer(new ViewNames());
-    what.setMaximumSize(what.getPreferredSize());
-    addLabelled("what", what, event -> takeWhat());
+    pass.setName("pass");
+    pass.setSelectedItem(window.session().pass());
+    pass.setRenderer(new PassNames());
+    pass.setMaximumSize(pass.getPreferredSize());
+    addLabelled("pass", pass, event -> applyPass());
     addSeparator();
     addButton("fit", () -> window.view().fit());
     addButton("oneToOne", () -> window.view().oneToOne());
-    addButton("outside", window::showOutside);
+    addButton("wireframe", window::showWireframe);
     addButton("compare", window::chooseReference);
   }
 
@@ -65,8 +65,8 @@ final class ToolBar extends JToolBar {
     add(box);
   }
 
-  /** Takes a size that was chosen or written; what is none goes back to the one before. */
-  private void takeSize() {
+  /** Applies the size chosen or typed; an invalid size restores the previous one. */
+  private void applySize() {
     final Optional<PictureSize> wanted = PictureSize.of(String.valueOf(size.getSelectedItem()));
     if (wanted.isPresent()) {
       window.setPictureSize(wanted.get());
@@ -75,15 +75,15 @@ final class ToolBar extends JToolBar {
     }
   }
 
-  private void takeWhat() {
-    if (!selecting && what.getSelectedItem() instanceof RenderPass view && view != window.session().view()) {
-      window.setWhat(view);
+  private void applyPass() {
+    if (!selecting && pass.getSelectedItem() instanceof RenderPass next && next != window.session().pass()) {
+      window.setPass(next);
     }
   }
 
-  void select(final RenderPass view) {
+  void select(final RenderPass next) {
     selecting = true;
-    what.setSelectedItem(view);
+    pass.setSelectedItem(next);
     selecting = false;
   }
 
@@ -91,15 +91,15 @@ final class ToolBar extends JToolBar {
     size.setSelectedItem(wanted.toString());
   }
 
-  /** Shows the views by their names. */
-  private static final class ViewNames extends DefaultListCellRenderer {
+  /** Shows the passes by their names. */
+  private static final class PassNames extends DefaultListCellRenderer {
 
     private static final long serialVersionUID = 1L;
 
     @Override
     public Component getListCellRendererComponent(final JList<?> list, final Object value, final int index,
         final boolean isSelected, final boolean cellHasFocus) {
-      final String name = value == null ? "" : Messages.text("window.view." + value + ".text");
+      final String name = value == null ? "" : Messages.text("window.pass." + value + ".text");
       return super.getListCellRendererComponent(list, name, index, isSelected, cellHasFocus);
     }
   }

@@ -8,14 +8,14 @@ import javax.swing.SwingUtilities;
 
 import upnatray.Viewer;
 
-/** Opens windows for the command line. */
+/** Opens windows on behalf of the command line. */
 public final class WindowViewer implements Viewer {
 
-  /** For the loader of services. */
+  /** Called by the service loader. */
   public WindowViewer() {
   }
 
-  /** A display that is named but cannot be reached, or a Java without the parts for one, is none. */
+  /** False if the display cannot be reached, or if the Java runtime has no support for one. */
   @Override
   public boolean isAvailable() {
     try {

@@ -2,12 +2,12 @@ package window;
 
 import javax.swing.JComponent;
 
-/** The keys of the scene from outside: arrows turn it or, with shift, move it; +, − and 0 set its size; escape closes it. */
+/** The keys of the wireframe view: arrows rotate it or, with shift, pan it; +, − and 0 zoom; escape closes it. */
 final class WireframeKeys {
 
   private static final double DEGREES = 5;
   private static final double STEP = 1.25;
-  private static final double FAR = 24;
+  private static final double DISTANCE = 24;
 
   private WireframeKeys() {
   }
@@ -17,10 +17,10 @@ final class WireframeKeys {
     bind(view, "RIGHT", () -> view.turn(DEGREES, 0));
     bind(view, "UP", () -> view.turn(0, -DEGREES));
     bind(view, "DOWN", () -> view.turn(0, DEGREES));
-    bind(view, "shift LEFT", () -> view.moveBy(-FAR, 0));
-    bind(view, "shift RIGHT", () -> view.moveBy(FAR, 0));
-    bind(view, "shift UP", () -> view.moveBy(0, -FAR));
-    bind(view, "shift DOWN", () -> view.moveBy(0, FAR));
+    bind(view, "shift LEFT", () -> view.moveBy(-DISTANCE, 0));
+    bind(view, "shift RIGHT", () -> view.moveBy(DISTANCE, 0));
+    bind(view, "shift UP", () -> view.moveBy(0, -DISTANCE));
+    bind(view, "shift DOWN", () -> view.moveBy(0, DISTANCE));
     bind(view, "typed 0", view::fit);
     bind(view, "ESCAPE", close);
     bind(view, "typed +", () -> view.zoomBy(STEP));

@@ -23,14 +23,14 @@ import primitives.BoundingBox;
 import primitives.Point3D;
 
 /**
- * A scene and its camera from outside, as lines. Dragging turns it (left and right about the scene's y), with shift or
- * another button it moves it, the wheel changes its size about the pointer.
+ * A line drawing of a scene and its camera. Dragging rotates it (horizontally about the scene's y axis); with shift or
+ * another button it pans; the wheel zooms about the pointer.
  */
 final class WireframeView extends Drawing {
 
   private static final long serialVersionUID = 1L;
 
-  private static final double DEGREES_TO_A_POINT = 0.5;
+  private static final double DEGREES_PER_UNIT = 0.5;
   private static final double NOTCH = 1.15;
   private static final Map<Wireframe.Kind, Color> COLOURS = Map.of(Wireframe.Kind.AXIS_X, new Color(0xd03030),
       Wireframe.Kind.AXIS_Y, new Color(0x2f9e44), Wireframe.Kind.AXIS_Z, new Color(0x3060d0),
@@ -44,17 +44,17 @@ final class WireframeView extends Drawing {
   private double zoom = 1;
   private double moveX;
   private double moveY;
-  private Point3D middle = new Point3D();
+  private Point3D centre = new Point3D();
   private double radius = 1;
   private Point last;
 
   WireframeView() {
-    super("outside.name");
-    setName("outside");
+    super("wireframe.name");
+    setName("wireframe");
     setFocusable(true);
     setPreferredSize(new Dimension(720, 540));
-    getAccessibleContext().setAccessibleDescription(Messages.text("window.outside.tip"));
-    setToolTipText(Messages.text("window.outside.tip"));
+    getAccessibleContext().setAccessibleDescription(Messages.text("window.wireframe.tip"));
+    setToolTipText(Messages.text("window.wireframe.tip"));
     final MouseAdapter mouse = new Mouse();
     addMouseListener(mouse);
     addMouseMotionListener(mouse);
@@ -64,9 +64,9 @@ final class WireframeView extends Drawing {
   void setLines(final List<Wireframe.Line> next) {
     lines = next;
     final BoundingBox box = Wireframe.bounds(next);
-    middle = box.getMin();
-    middle.interpolate(box.getMax(), 0.5f);
-    radius = middle.distance(box.getMax());
+    centre = box.getMin();
+    centre.interpolate(box.getMax(), 0.5f);
+    radius = centre.distance(box.getMax());
     repaint();
   }
 
@@ -76,7 +76,7 @@ final class WireframeView extends Drawing {
     repaint();
   }
 
-  /** Changes the size of all; what is at a place, seen from the middle of the component, stays there. */
+  /** Zooms about a fixed point, given relative to the centre of the component. */
   void zoomAbout(final double x, final double y, final double factor) {
     zoom *= factor;
     moveX = x - factor * (x - moveX);
@@ -94,7 +94,7 @@ final class WireframeView extends Drawing {
     repaint();
   }
 
-  /** Shows it all. */
+  /** Shows the whole drawing. */
   void fit() {
     zoom = 1;
     moveX = 0;
@@ -102,7 +102,7 @@ final class WireframeView extends Drawing {
     repaint();
   }
 
-  /** The drawing as it is seen, twice as large. */
+  /** The visible drawing at twice its size. */
   BufferedImage image() {
     final BufferedImage image = new BufferedImage(2 * getWidth(), 2 * getHeight(), BufferedImage.TYPE_INT_ARGB);
     final Graphics2D g = image.createGraphics();
@@ -127,17 +127,17 @@ final class WireframeView extends Drawing {
 
   private void paintLines(final Graphics2D g) {
     final double k = scale();
-    final double left = 0.5 * getWidth() + moveX - k * across(middle), top = 0.5 * getHeight() + moveY + k * up(middle);
+    final double left = 0.5 * getWidth() + moveX - k * across(centre), top = 0.5 * getHeight() + moveY + k * up(centre);
     for (final Wireframe.Line line : lines) {
       final double x = left + k * across(line.to()), y = top - k * up(line.to());
       g.setColor(colour(line));
       g.setStroke(stroke(line.kind()));
       g.draw(new Line2D.Double(left + k * across(line.from()), top - k * up(line.from()), x, y));
-      letter(g, line.kind(), x, y);
+      drawLabel(g, line.kind(), x, y);
     }
   }
 
-  /** Points of the component to a unit of the scene. All lines fit in, from wherever they are seen. */
+  /** Component coordinates per unit of the scene, such that the drawing fits from every direction. */
   private double scale() {
     return 0.48 * zoom * Math.min(getWidth(), getHeight()) / Math.max(radius, Float.MIN_NORMAL);
   }
@@ -152,7 +152,7 @@ final class WireframeView extends Drawing {
     return Math.cos(b) * P.y - Math.sin(b) * (Math.sin(a) * P.x + Math.cos(a) * P.z);
   }
 
-  /** Boxes have the colour of their object, but never one so light that it is not seen on white. */
+  /** Boxes have the colour of their object, darkened if it would be invisible on white. */
   private static Color colour(final Wireframe.Line line) {
     if (COLOURS.containsKey(line.kind())) {
       return COLOURS.get(line.kind());
@@ -170,18 +170,18 @@ final class WireframeView extends Drawing {
     };
   }
 
-  private static void letter(final Graphics2D g, final Wireframe.Kind kind, final double x, final double y) {
-    final String letter = switch (kind) {
+  private static void drawLabel(final Graphics2D g, final Wireframe.Kind kind, final double x, final double y) {
+    final String label = switch (kind) {
       case AXIS_X -> "x";
       case AXIS_Y -> "y";
       case AXIS_Z -> "z";
       case NORMAL -> "n";
       default -> "";
     };
-    g.drawString(letter, (float) x + 4, (float) y - 3);
+    g.drawString(label, (float) x + 4, (float) y - 3);
   }
 
-  /** Turns and zooms. */
+  /** Rotates, pans and zooms. */
   private final class Mouse extends MouseAdapter {
 
     @Override
@@ -196,7 +196,7 @@ final class WireframeView extends Drawing {
       if (event.isShiftDown() || !SwingUtilities.isLeftMouseButton(event)) {
         moveBy(dx, dy);
       } else {
-        turn(DEGREES_TO_A_POINT * dx, DEGREES_TO_A_POINT * dy);
+        turn(DEGREES_PER_UNIT * dx, DEGREES_PER_UNIT * dy);
       }
       last = event.getPoint();
     }

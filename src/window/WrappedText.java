@@ -6,7 +6,7 @@ import javax.swing.JTable;
 import javax.swing.JTextArea;
 import javax.swing.table.TableCellRenderer;
 
-/** A cell whose text takes as many lines as it needs; its row becomes as high. */
+/** A table cell that wraps its text and adjusts the height of its row. */
 final class WrappedText extends JTextArea implements TableCellRenderer {
 
   private static final long serialVersionUID = 1L;

@@ -1,7 +1,7 @@
 /**
- * The window: shows pictures while they are rendered, and what {@link inspection} has to say about their pixels.
+ * The window: shows pictures while they are rendered, and what {@link inspection} reports about their pixels.
  *
- * <p>It is found by the command line as the service {@link upnatray.Viewer}; no other package knows it, and nothing of it is
- * loaded where there is no window. A program of one's own shows a scene by {@link window.RenderWindow#show}.
+ * <p>The command line finds it as the service {@link upnatray.Viewer}. No other package depends on it, and none of it is
+ * loaded unless a window is opened. A program shows its own scene with {@link window.RenderWindow#show}.
  */
 package window;

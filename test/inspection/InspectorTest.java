@@ -60,7 +60,7 @@ class InspectorTest {
           for (int n = 0; n < H; n++) {
             final Inspection inspection = inspector.inspect(m, n);
             assertEquals(job.image().getRGB(m, H - 1 - n), inspection.argb(), "(" + m + ", " + n + ")");
-            inspection.meetings().forEach(meeting -> assertEquals(List.of(), meeting.findings(), meeting.toString()));
+            inspection.intersections().forEach(found -> assertEquals(List.of(), found.violations(), found.toString()));
           }
         }
       }
@@ -68,11 +68,11 @@ class InspectorTest {
   }
 
   @Test
-  void meetingsComeInTheOrderOfTheRayWithTheirNames() {
+  void intersectionsAreSortedAlongTheRayAndNamed() {
     final Sphere near = new Sphere(new Point3D(0, 0, 2), 0.5f, Color.RED), far = new Sphere(new Point3D(), 1, Color.BLUE);
     final Inspection inspection = centre(far, near, new Sphere(new Point3D(9, 9, 9), 1, Color.GREEN));
-    assertEquals(2, inspection.meetings().size());
-    final Intersection first = inspection.meetings().get(0), second = inspection.meetings().get(1);
+    assertEquals(2, inspection.intersections().size());
+    final Intersection first = inspection.intersections().get(0), second = inspection.intersections().get(1);
     assertSame(near, first.object());
     assertTrue(first.winner());
     assertEquals("the Sphere", first.name());
@@ -123,10 +123,10 @@ class InspectorTest {
       final Formula last = pixel.formulas().get(pixel.formulas().size() - 1);
       assertEquals("v", last.symbol());
       final String[] numbers = last.value().replaceAll("[()]", "").split(", ");
-      final Vector3D given = pixel.ray().getDirection(), told = new Vector3D(
+      final Vector3D given = pixel.ray().getDirection(), computed = new Vector3D(
           Float.parseFloat(numbers[0]), Float.parseFloat(numbers[1]), Float.parseFloat(numbers[2]));
-      told.sub(given);
-      assertEquals(0, told.length(), 1e-6f, pixel::toString);
+      computed.sub(given);
+      assertEquals(0, computed.length(), 1e-6f, pixel::toString);
     }
   }
 
@@ -137,60 +137,60 @@ class InspectorTest {
       assertSame(Ray.NORAY, corner.pixel().ray());
       assertEquals("NORAY", corner.pixel().formulas().get(corner.pixel().formulas().size() - 1).value());
       assertEquals(ColourStep.Kind.NO_RAY, corner.colour().get(0).kind());
-      assertEquals(List.of(), corner.meetings());
+      assertEquals(List.of(), corner.intersections());
     }
   }
 
   @Test
   void aTransformedObjectShowsRayAndHitInItsOwnFrame() {
     final Sphere unit = new Sphere(new Point3D(), 1, Color.RED);
-    final Intersection meeting = centre(new AffineTransformation(new Vector3f(2, 2, 2), new Vector3f(0, 0, -1), unit))
-        .meetings().get(0);
-    assertSame(unit, meeting.object());
-    assertNotSame(unit, meeting.whole());
-    assertEquals(4, meeting.hit().getT(), 1e-6f);
-    final LocalRay frame = meeting.frames().get(0);
+    final Intersection intersection = centre(new AffineTransformation(new Vector3f(2, 2, 2), new Vector3f(0, 0, -1), unit))
+        .intersections().get(0);
+    assertSame(unit, intersection.object());
+    assertNotSame(unit, intersection.sceneObject());
+    assertEquals(4, intersection.hit().getT(), 1e-6f);
+    final LocalRay frame = intersection.localRays().get(0);
     assertEquals(new Point3D(0, 0, 3), frame.ray().getStartingPoint());
     assertEquals(2, frame.hit().getT(), 1e-6f);
     assertEquals(new Point3D(0, 0, 1), frame.hit().getPoint());
   }
 
   @Test
-  void aMarchIsToldStepByStep() {
-    final Intersection meeting = centre(new Torus(new Point3D(), new Vector3D(0, 1, 0), 1, 0.4f,
-        Color.RED)).meetings().get(0);
-    final SphereTrace march = meeting.march().orElseThrow();
-    assertEquals(SphereTrace.End.REACHED, march.end());
-    assertEquals(3.6, march.t(), 1e-6);
-    assertEquals(meeting.hit().getT(), march.t(), 1e-6);
-    assertEquals(0, march.steps().get(0).t());
-    assertEquals(3.6, march.steps().get(0).distance(), 1e-6);
+  void aSphereTraceHasEachStep() {
+    final Intersection intersection = centre(new Torus(new Point3D(), new Vector3D(0, 1, 0), 1, 0.4f,
+        Color.RED)).intersections().get(0);
+    final SphereTrace trace = intersection.trace().orElseThrow();
+    assertEquals(SphereTrace.End.REACHED, trace.end());
+    assertEquals(3.6, trace.t(), 1e-6);
+    assertEquals(intersection.hit().getT(), trace.t(), 1e-6);
+    assertEquals(0, trace.steps().get(0).t());
+    assertEquals(3.6, trace.steps().get(0).distance(), 1e-6);
   }
 
   @Test
-  void aMarchThatPassesATorusByIsToldToo() {
+  void aSphereTraceThatMissesATorusIsReportedToo() {
     final Torus ring = new Torus(new Point3D(), new Vector3D(0, 0, 1), 1, 0.4f, Color.RED);
-    final Intersection meeting = centre(ring, new Torus(new Point3D(9, 9, 9), new Vector3D(0, 0, 1), 1, 0.4f, Color.RED))
-        .meetings().get(0);
-    assertSame(ring, meeting.object());
-    assertFalse(meeting.hit().hits() || meeting.winner());
-    assertEquals(SphereTrace.End.PASSED, meeting.march().orElseThrow().end());
-    assertEquals(1, centre(ring).meetings().size());
+    final Torus far = new Torus(new Point3D(9, 9, 9), new Vector3D(0, 0, 1), 1, 0.4f, Color.RED);
+    final Intersection intersection = centre(ring, far).intersections().get(0);
+    assertSame(ring, intersection.object());
+    assertFalse(intersection.hit().hits() || intersection.winner());
+    assertEquals(SphereTrace.End.PASSED, intersection.trace().orElseThrow().end());
+    assertEquals(1, centre(ring).intersections().size());
   }
 
   @Test
-  void aShapeThatCallsItselfForEverIsFound() {
-    final Intersection meeting = centre(new Wrong() {
+  void endlessRecursionOfAShapeIsReported() {
+    final Intersection intersection = centre(new Wrong() {
       @Override
       public Hit intersectionWith(final Ray ray) {
         return intersectionWith(ray);
       }
-    }).meetings().get(0);
-    assertEquals(List.of(ContractViolation.EXCEPTION), meeting.findings());
-    assertTrue(meeting.failure().contains("StackOverflowError"), meeting.failure());
+    }).intersections().get(0);
+    assertEquals(List.of(ContractViolation.EXCEPTION), intersection.violations());
+    assertTrue(intersection.failure().contains("StackOverflowError"), intersection.failure());
   }
 
-  /** A shape of its own, wrong in some way. */
+  /** A user-written shape with a mistake. */
   private abstract static class Wrong extends Object3D {
 
     Wrong() {
@@ -202,13 +202,13 @@ class InspectorTest {
     }
   }
 
-  private static List<ContractViolation> findings(final Wrong object) {
-    return centre(object).meetings().get(0).findings();
+  private static List<ContractViolation> violations(final Wrong object) {
+    return centre(object).intersections().get(0).violations();
   }
 
   @Test
-  void anAnswerOfNullIsFound() {
-    assertEquals(List.of(ContractViolation.NULL_HIT), findings(new Wrong() {
+  void aNullHitIsReported() {
+    assertEquals(List.of(ContractViolation.NULL_HIT), violations(new Wrong() {
       @Override
       public Hit intersectionWith(final Ray ray) {
         return null;
@@ -217,37 +217,37 @@ class InspectorTest {
   }
 
   @Test
-  void anExceptionIsFoundWithItsMessage() {
-    final Intersection meeting = centre(new Wrong() {
+  void anExceptionIsReportedWithItsMessage() {
+    final Intersection intersection = centre(new Wrong() {
       @Override
       public Hit intersectionWith(final Ray ray) {
         throw new ArithmeticException("by zero");
       }
-    }).meetings().get(0);
-    assertEquals(List.of(ContractViolation.EXCEPTION), meeting.findings());
-    assertTrue(meeting.failure().contains("by zero (InspectorTest.java:"), meeting.failure());
-    assertFalse(meeting.winner());
+    }).intersections().get(0);
+    assertEquals(List.of(ContractViolation.EXCEPTION), intersection.violations());
+    assertTrue(intersection.failure().contains("by zero (InspectorTest.java:"), intersection.failure());
+    assertFalse(intersection.winner());
   }
 
-  /** Whoever gave it, and not the method that noticed. */
+  /** The caller that passed the wrong value, not the method that noticed. */
   @Test
-  void theOriginOfAnExceptionIsNotInTheJdkNorInTheChecks() {
+  void anExceptionIsLocatedOutsideTheJdkAndTheChecks() {
     for (final Runnable wrong : List.<Runnable>of(() -> Objects.requireNonNull(null), () -> new ArrayList<>().get(0),
         () -> Integer.parseInt(""), () -> notNull("this", null))) {
-      final Intersection meeting = centre(new Wrong() {
+      final Intersection intersection = centre(new Wrong() {
         @Override
         public Hit intersectionWith(final Ray ray) {
           wrong.run();
           return Hit.NOHIT;
         }
-      }).meetings().get(0);
-      assertTrue(meeting.failure().matches("(?s).* \\(InspectorTest.java:\\d+\\)"), meeting.failure());
+      }).intersections().get(0);
+      assertTrue(intersection.failure().matches("(?s).* \\(InspectorTest.java:\\d+\\)"), intersection.failure());
     }
   }
 
   @Test
-  void aPointThatIsNotOnTheRayIsFound() {
-    assertEquals(List.of(ContractViolation.POINT_OFF_RAY), findings(new Wrong() {
+  void aPointOffTheRayIsReported() {
+    assertEquals(List.of(ContractViolation.POINT_OFF_RAY), violations(new Wrong() {
       @Override
       public Hit intersectionWith(final Ray ray) {
         return new Hit(3, new Point3D(0, 0, 1), new Vector3D(0, 0, 1), this);
@@ -256,14 +256,14 @@ class InspectorTest {
   }
 
   @Test
-  void anAnswerThatChangesIsFound() {
-    assertEquals(List.of(ContractViolation.UNSTEADY), findings(new Wrong() {
-      private boolean asked;
+  void anInconsistentHitIsReported() {
+    assertEquals(List.of(ContractViolation.INCONSISTENT), violations(new Wrong() {
+      private boolean called;
 
       @Override
       public Hit intersectionWith(final Ray ray) {
-        asked = !asked;
-        return asked ? right(this) : Hit.NOHIT;
+        called = !called;
+        return called ? right(this) : Hit.NOHIT;
       }
     }));
   }
@@ -283,31 +283,31 @@ class InspectorTest {
   }
 
   @Test
-  void wrongBoxesAreFound() {
-    assertEquals(List.of(ContractViolation.NULL_BOX), findings(withBox(null, 1)));
+  void wrongBoxesAreReported() {
+    assertEquals(List.of(ContractViolation.NULL_BOX), violations(withBox(null, 1)));
     assertEquals(List.of(ContractViolation.POINT_OUTSIDE_BOX),
-        findings(withBox(new BoundingBox(new Point3D(-1, -1, -1), new Point3D(1, 1, 0.5f)), 1)));
-    assertEquals(List.of(ContractViolation.BOX_PASSED_BY, ContractViolation.POINT_OUTSIDE_BOX),
-        findings(withBox(new BoundingBox(new Point3D(2, 2, 2), new Point3D(3, 3, 3)), 1)));
+        violations(withBox(new BoundingBox(new Point3D(-1, -1, -1), new Point3D(1, 1, 0.5f)), 1)));
+    assertEquals(List.of(ContractViolation.BOX_MISSED_BY_RAY, ContractViolation.POINT_OUTSIDE_BOX),
+        violations(withBox(new BoundingBox(new Point3D(2, 2, 2), new Point3D(3, 3, 3)), 1)));
   }
 
-  /** As in the picture, where the group does not ask it. */
+  /** As in the picture, where the group does not test it. */
   @Test
   void anObjectWithTooSmallABoxIsNotTheWinner() {
     final Inspection inspection = centre(withBox(new BoundingBox(new Point3D(2, 2, 2), new Point3D(3, 3, 3)), 1));
-    assertFalse(inspection.meetings().get(0).winner());
+    assertFalse(inspection.intersections().get(0).winner());
     assertEquals(new Color(10, 20, 30).getRGB(), inspection.argb());
   }
 
   @Test
-  void aNormalThatLooksInwardIsFound() {
+  void aNormalThatPointsInwardIsReported() {
     final BoundingBox box = new BoundingBox(new Point3D(-1, -1, -1), new Point3D(1, 1, 1));
-    assertEquals(List.of(), findings(withBox(box, 1)));
-    assertEquals(List.of(ContractViolation.NORMAL_INWARD), findings(withBox(box, -1)));
+    assertEquals(List.of(), violations(withBox(box, 1)));
+    assertEquals(List.of(ContractViolation.NORMAL_INWARD), violations(withBox(box, -1)));
   }
 
   @Test
-  void pixelsThatAreNotThereAreRejected() {
+  void pixelsOutsideThePictureAreRejected() {
     final Inspector inspector = new Inspector(SampleScenes.of(new Orthographic(4, 1), true), 4, 3);
     assertThrows(IllegalArgumentException.class, () -> inspector.inspect(4, 0));
     assertThrows(IllegalArgumentException.class, () -> inspector.inspect(0, 3));

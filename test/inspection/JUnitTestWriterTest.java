@@ -79,9 +79,9 @@ class JUnitTestWriterTest {
     for (int m = 0; m < W; m++) {
       for (int n = 0; n < H; n++) {
         final Inspection inspection = inspector.inspect(m, n);
-        for (final Intersection meeting : inspection.meetings()) {
-          if (met.add(meeting.object())) {
-            methods.add(JUnitTestWriter.of(inspection, meeting));
+        for (final Intersection intersection : inspection.intersections()) {
+          if (met.add(intersection.object())) {
+            methods.add(JUnitTestWriter.of(inspection, intersection));
           }
         }
       }
@@ -95,7 +95,7 @@ class JUnitTestWriterTest {
     final Sphere sphere = new Sphere(new Point3D(), 1, Color.RED);
     final Inspection inspection = new Inspector(SampleScenes.of(SampleScenes.perspective(), true, sphere), W, H)
         .inspect(W / 2, H / 2);
-    final String text = JUnitTestWriter.of(inspection, inspection.meetings().get(0));
+    final String text = JUnitTestWriter.of(inspection, inspection.intersections().get(0));
     assertEquals(1, run(compiled(List.of(text))));
     final String colour = ",\n        new java.awt.Color";
     final Object wrong = compiled(List.of(text.replace("1.0f" + colour, "1.1f" + colour)));
@@ -120,7 +120,7 @@ class JUnitTestWriterTest {
   void theTestOfAShapeThatDoesNotTellItsArgumentsSaysWhatToWrite() throws Exception {
     final Inspection inspection = new Inspector(SampleScenes.of(SampleScenes.perspective(), true, new Secret()), W, H)
         .inspect(3, 4);
-    final Object tests = compiled(List.of(JUnitTestWriter.of(inspection, inspection.meetings().get(0))));
+    final Object tests = compiled(List.of(JUnitTestWriter.of(inspection, inspection.intersections().get(0))));
     final Exception thrown = assertThrows(InvocationTargetException.class, () -> run(tests));
     assertEquals("make the Secret here, or write Secret.constructorArguments", thrown.getCause().getMessage());
   }

@@ -43,7 +43,7 @@ import view.Orthographic;
 class PartsTest {
 
   @Test
-  void sizesAreReadAsTheyAreWritten() {
+  void sizesAreParsed() {
     assertEquals(Optional.of(new PictureSize(50, 0, 0)), PictureSize.of("50 %"));
     assertEquals(Optional.of(new PictureSize(0, 640, 480)), PictureSize.of(" 640x480"));
     assertEquals(Optional.of(new PictureSize(0, 640, 0)), PictureSize.of("640 x ?"));
@@ -83,37 +83,37 @@ class PartsTest {
   }
 
   @Test
-  void aCanvasShowsThePictureBeforeUntilATileIsDone() {
+  void aProgressivePictureShowsThePreviousOneUntilATileIsDone() {
     final BufferedImage before = new BufferedImage(4, 4, BufferedImage.TYPE_INT_ARGB);
     final BufferedImage next = new BufferedImage(4, 4, BufferedImage.TYPE_INT_ARGB);
     before.setRGB(0, 0, 0xff111111);
-    final ProgressivePicture canvas = new ProgressivePicture(next, before);
-    assertEquals(0xff111111, canvas.picture().getRGB(0, 0));
+    final ProgressivePicture picture = new ProgressivePicture(next, before);
+    assertEquals(0xff111111, picture.image().getRGB(0, 0));
     next.setRGB(3, 3, 0xff333333);
-    canvas.tileDone(2, 2, 2, 2);
-    assertEquals(0xff333333, canvas.picture().getRGB(3, 3));
-    assertEquals(0xff111111, canvas.picture().getRGB(0, 0));
-    assertEquals(new Rectangle(2, 2, 2, 2), canvas.takeChanged());
-    assertTrue(canvas.takeChanged().isEmpty());
-    assertEquals(0, new ProgressivePicture(next, new BufferedImage(5, 4, BufferedImage.TYPE_INT_ARGB)).picture().getRGB(3,
+    picture.tileDone(2, 2, 2, 2);
+    assertEquals(0xff333333, picture.image().getRGB(3, 3));
+    assertEquals(0xff111111, picture.image().getRGB(0, 0));
+    assertEquals(new Rectangle(2, 2, 2, 2), picture.takeChanged());
+    assertTrue(picture.takeChanged().isEmpty());
+    assertEquals(0, new ProgressivePicture(next, new BufferedImage(5, 4, BufferedImage.TYPE_INT_ARGB)).image().getRGB(3,
         3));
   }
 
   @Test
-  void filesThatAreReplacedOrWrittenAreNoticedOnce(@TempDir final Path folder) throws Exception {
+  void changedFilesAreReportedOnce(@TempDir final Path folder) throws Exception {
     final Path scene = Files.writeString(folder.resolve("a.xml"), "one"), other = folder.resolve("b.obj");
-    final Semaphore told = new Semaphore(0);
-    final SceneWatch watch = new SceneWatch(told::release);
+    final Semaphore changes = new Semaphore(0);
+    final SceneWatch watch = new SceneWatch(changes::release);
     try {
       watch.watch(List.of(scene, other));
       Files.writeString(scene, "one and two");
-      assertTrue(told.tryAcquire(10, TimeUnit.SECONDS));
+      assertTrue(changes.tryAcquire(10, TimeUnit.SECONDS));
       Files.writeString(other, "it was not there");
-      assertTrue(told.tryAcquire(10, TimeUnit.SECONDS));
-      assertFalse(told.tryAcquire(1, TimeUnit.SECONDS));
+      assertTrue(changes.tryAcquire(10, TimeUnit.SECONDS));
+      assertFalse(changes.tryAcquire(1, TimeUnit.SECONDS));
       watch.watch(List.of(other));
       Files.delete(scene);
-      assertFalse(told.tryAcquire(1, TimeUnit.SECONDS));
+      assertFalse(changes.tryAcquire(1, TimeUnit.SECONDS));
     } finally {
       watch.stop();
     }
@@ -123,25 +123,25 @@ class PartsTest {
   void picturesAreSavedAndReadBack(@TempDir final Path folder) throws Exception {
     final BufferedImage picture = new BufferedImage(3, 2, BufferedImage.TYPE_INT_ARGB);
     picture.setRGB(2, 1, 0x80123456);
-    final Path file = PictureFile.withEnding(folder.resolve("picture"));
+    final Path file = PictureFile.withExtension(folder.resolve("picture"));
     PngFile.save(picture, file);
     assertEquals(folder.resolve("picture.png"), file);
     assertEquals(0x80123456, PictureFile.read(file).getRGB(2, 1));
   }
 
   @Test
-  void aFailureIsAtThePlaceThatItComesFrom() {
+  void aFailureIsLocatedWhereItWasCaused() {
     final Exception failure = assertThrows(IndexOutOfBoundsException.class, () -> new ArrayList<>().get(0));
-    final Problem problem = Failure.problem(new IllegalStateException("told", failure));
+    final Problem problem = Failure.problem(new IllegalStateException("outer", failure));
     assertEquals("PartsTest.java", problem.file());
     assertTrue(problem.line() > 0);
-    assertEquals("PartsTest.java:" + problem.line() + ": told", problem.toString());
+    assertEquals("PartsTest.java:" + problem.line() + ": outer", problem.toString());
     failure.setStackTrace(new StackTraceElement[0]);
     assertEquals("", Failure.problem(failure).file());
   }
 
   @Test
-  void whatCannotBeShownIsRefusedAtOnce() {
+  void invalidArgumentsOfShowAreRejectedAtOnce() {
     final Group3D objects = new Group3D();
     final Camera camera = new Camera(new Point3D(0, 0, 5), new Point3D(), new Vector3D(0, 1, 0));
     final Color black = Color.BLACK;
@@ -168,7 +168,7 @@ class PartsTest {
   }
 
   @Test
-  void everyTextIsThereInBothLanguages() {
+  void everyMessageExistsInBothLanguages() {
     final ResourceBundle.Control alone = ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_DEFAULT);
     final ResourceBundle english = ResourceBundle.getBundle("window.messages", Locale.ROOT, alone);
     final ResourceBundle spanish = ResourceBundle.getBundle("window.messages", new Locale("es"), alone);
@@ -182,8 +182,8 @@ class PartsTest {
     for (final Object kind : List.of(ContractViolation.values(), SphereTrace.End.values(), ColourStep.Kind.values(),
         RenderPass.values(),
         Problem.Severity.values()).stream().flatMap(java.util.Arrays::stream).toList()) {
-      final String prefix = kind instanceof ContractViolation ? "finding." : kind instanceof SphereTrace.End ? "march."
-          : kind instanceof ColourStep.Kind ? "colour." : kind instanceof RenderPass ? "view." : "problems.";
+      final String prefix = kind instanceof ContractViolation ? "violation." : kind instanceof SphereTrace.End ? "trace."
+          : kind instanceof ColourStep.Kind ? "colour." : kind instanceof RenderPass ? "pass." : "problems.";
       assertTrue(keys.contains(prefix + kind) || keys.contains(prefix + kind + ".text"), prefix + kind);
     }
   }

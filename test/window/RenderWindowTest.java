@@ -131,7 +131,7 @@ class RenderWindowTest {
     final long end = System.nanoTime() + 20_000_000_000L;
     while (!on(condition)) {
       if (System.nanoTime() > end) {
-        fail("it did not happen within 20 seconds");
+        fail("the condition did not become true within 20 seconds");
       }
       Thread.sleep(20);
     }
@@ -211,7 +211,7 @@ class RenderWindowTest {
     robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
     robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
     waitFor(() -> new Point(40, 20).equals(window.view().pinned()));
-    waitFor(() -> window.inspector().selected().filter(met -> met.name().equals("ball")).isPresent());
+    waitFor(() -> window.inspector().selected().filter(found -> found.name().equals("ball")).isPresent());
     robot.waitForIdle();
     robot.keyPress(KeyEvent.VK_LEFT);
     robot.keyRelease(KeyEvent.VK_LEFT);
@@ -225,7 +225,7 @@ class RenderWindowTest {
   }
 
   @Test
-  void aKeyOfAMenuCountsOnce() throws Exception {
+  void aMenuShortcutActsOnce() throws Exception {
     final Robot robot = new Robot();
     final Point place = onScreen(40, 20);
     robot.mouseMove(place.x, place.y);
@@ -243,7 +243,7 @@ class RenderWindowTest {
     assertEquals(before / 4, on(() -> window.view().magnification()), 1e-9);
   }
 
-  /** Pins a pixel and waits for what is known of it. */
+  /** Pins a pixel and waits for its inspection. */
   private void pin(final int x, final int y) throws Exception {
     on(() -> {
       window.view().pin(new Point(x, y));
@@ -268,7 +268,7 @@ class RenderWindowTest {
   }
 
   @Test
-  void aSceneThatIsSavedIsRenderedAnewWithZoomAndPinnedPixel() throws Exception {
+  void aSavedSceneIsRenderedAgainKeepingZoomAndPinnedPixel() throws Exception {
     on(() -> {
       window.view().show(new Point(40, 30));
       return null;
@@ -278,7 +278,7 @@ class RenderWindowTest {
     waitFor(() -> window.view().picture().getRGB(40, 30) == GREEN && !window.isRunning());
     assertEquals(magnification, on(() -> window.view().magnification()));
     assertEquals(new Point(40, 30), on(() -> window.view().pinned()));
-    waitFor(() -> window.inspector().selected().filter(met -> met.object().getColor().equals(Color.GREEN)).isPresent());
+    waitFor(() -> window.inspector().selected().filter(found -> found.object().getColor().equals(Color.GREEN)).isPresent());
   }
 
   @Test
@@ -306,7 +306,7 @@ class RenderWindowTest {
   }
 
   @Test
-  void theRootOfTheFilesIsNoSceneAndThatIsListed() throws Exception {
+  void aRootFolderIsListedAsAProblem() throws Exception {
     final Path root = folder.getRoot();
     on(() -> {
       window.open(root);
@@ -318,9 +318,9 @@ class RenderWindowTest {
   }
 
   @Test
-  void viewsAndSizesAreChosenFromTheBar() throws Exception {
+  void passesAndSizesAreChosenInTheToolBar() throws Exception {
     on(() -> {
-      ((javax.swing.JComboBox<?>) find("what")).setSelectedItem(RenderPass.DEPTH);
+      ((javax.swing.JComboBox<?>) find("pass")).setSelectedItem(RenderPass.DEPTH);
       return null;
     });
     waitFor(() -> !window.isRunning() && window.job().view() == RenderPass.DEPTH);
@@ -335,7 +335,7 @@ class RenderWindowTest {
   }
 
   @Test
-  void whatIsNoSizeGoesBackToTheOneBefore() throws Exception {
+  void anInvalidSizeRestoresThePreviousOne() throws Exception {
     final javax.swing.JComboBox<?> size = (javax.swing.JComboBox<?>) find("size");
     on(() -> {
       size.setSelectedItem("25 %");
@@ -350,7 +350,7 @@ class RenderWindowTest {
     assertEquals(new PictureSize(25, 0, 0), on(() -> window.session().size()));
   }
 
-  /** A shape that takes its time. */
+  /** A slow shape. */
   private static final class Slow extends Object3D {
 
     Slow() {
@@ -374,7 +374,7 @@ class RenderWindowTest {
   }
 
   @Test
-  void aRenderingIsSeenOnItsWayAndCancelled() throws Exception {
+  void aRenderingIsShownWhileItRunsAndCancelled() throws Exception {
     on(() -> {
       window.open(slow());
       return null;
@@ -390,7 +390,7 @@ class RenderWindowTest {
   }
 
   @Test
-  void anExceptionOfAShapeIsListedWithItsPlace() throws Exception {
+  void anExceptionOfAShapeIsListedWithItsSourceLine() throws Exception {
     final Object3D broken = new Object3D(Color.RED) {
       @Override
       public Hit intersectionWith(final Ray ray) {
@@ -406,7 +406,7 @@ class RenderWindowTest {
     assertTrue(on(() -> String.valueOf(window.problems().table().getValueAt(0, 4))).contains("no root"));
   }
 
-  /** A shape that does not come to an end, until it is told to. */
+  /** A shape whose intersection method does not return until it is released. */
   private static final class Endless extends Object3D {
 
     private volatile boolean ended;
@@ -425,7 +425,7 @@ class RenderWindowTest {
   }
 
   @Test
-  void aShapeThatNeverAnswersIsToldOfAndLeftBehind() throws Exception {
+  void aShapeThatNeverReturnsIsNamedAndAbandoned() throws Exception {
     final Endless endless = new Endless();
     try {
       on(() -> {
@@ -450,7 +450,7 @@ class RenderWindowTest {
     }
   }
 
-  /** A ball whose colour can make the asking of a pixel fail, at once or when it is told to. */
+  /** A ball whose colour can make an inspection fail, at once or when it is released. */
   private static final class Moody extends Sphere {
 
     private final CountDownLatch release = new CountDownLatch(1);
@@ -485,7 +485,7 @@ class RenderWindowTest {
   }
 
   @Test
-  void whyAPixelCannotBeAskedIsToldAndStays() throws Exception {
+  void theReasonOfAFailedInspectionStaysVisible() throws Exception {
     final Moody ball = new Moody();
     openMoody(ball);
     ball.absent = true;
@@ -493,13 +493,13 @@ class RenderWindowTest {
       window.view().pin(new Point(24, 18));
       return null;
     });
-    waitFor(() -> label("asked").contains("NullPointerException"));
-    Thread.sleep(2 * PixelInspections.SOON);
-    assertTrue(label("asked").contains("NullPointerException"), label("asked"));
+    waitFor(() -> label("heading").contains("NullPointerException"));
+    Thread.sleep(2 * PixelInspections.WAITING_DELAY_MS);
+    assertTrue(label("heading").contains("NullPointerException"), label("heading"));
   }
 
   @Test
-  void anAnswerStaysWhenAnEarlierQuestionFails() throws Exception {
+  void anInspectionStaysWhenAnEarlierOneFails() throws Exception {
     final Moody ball = new Moody();
     openMoody(ball);
     ball.late = true;
@@ -509,10 +509,10 @@ class RenderWindowTest {
     });
     waitFor(() -> !ball.late);
     pin(23, 18);
-    final String answer = label("asked");
+    final String answer = label("heading");
     ball.release.countDown();
     Thread.sleep(300);
-    assertEquals(answer, label("asked"));
+    assertEquals(answer, label("heading"));
   }
 
   @Test
@@ -537,7 +537,7 @@ class RenderWindowTest {
   }
 
   @Test
-  void aFolderIsNotReplacedByAPictureAndThatIsTold() throws Exception {
+  void aFolderIsNeverReplacedByAPicture() throws Exception {
     final Path taken = Files.createDirectory(folder.resolve("taken.png"));
     SwingUtilities.invokeLater(() -> window.dialogs().saveAs(window.view().picture(), taken));
     waitFor(() -> complaint() != null);
@@ -550,7 +550,7 @@ class RenderWindowTest {
   }
 
   @Test
-  void aFileIsReplacedOnlyIfThatIsMeant() throws Exception {
+  void aFileIsReplacedOnlyOnConfirmation() throws Exception {
     final Path taken = Files.writeString(folder.resolve("taken.png"), "a letter");
     for (final int answer : new int[] {JOptionPane.NO_OPTION, JOptionPane.YES_OPTION}) {
       assertEquals("a letter", Files.readString(taken));
@@ -577,7 +577,7 @@ class RenderWindowTest {
   }
 
   @Test
-  void aReferenceOfAnotherSizeIsSaidToBeOne() throws Exception {
+  void aReferenceOfAnotherSizeIsReported() throws Exception {
     final Path file = folder.resolve("small.png");
     ImageIO.write(new BufferedImage(3, 2, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
     on(() -> {
@@ -586,7 +586,7 @@ class RenderWindowTest {
     });
     assertTrue(label("figures").startsWith("The reference has 3 x 2 pixels, the picture 80 x 60"), label("figures"));
     assertFalse(on(() -> window.view().hasOverlay() || find("compare.worst").isEnabled()));
-    press("compare.end");
+    press("compare.close");
     assertFalse(on(() -> isShowing("comparison")));
   }
 
@@ -600,32 +600,32 @@ class RenderWindowTest {
   }
 
   @Test
-  void theSceneFromOutsideTurnsAndGrowsAboutThePointer() throws Exception {
-    press("outside");
-    final WireframeView outside = on(() -> window.dialogs().outside());
-    final BufferedImage before = on(outside::image);
+  void theWireframeRotatesAndZoomsAboutThePointer() throws Exception {
+    press("wireframe");
+    final WireframeView wireframe = on(() -> window.dialogs().wireframe());
+    final BufferedImage before = on(wireframe::image);
     pin(40, 30);
     on(() -> {
-      outside.turn(30, 10);
+      wireframe.turn(30, 10);
       return null;
     });
-    final BufferedImage turned = on(outside::image);
+    final BufferedImage turned = on(wireframe::image);
     assertTrue(inspection.Difference.between(before, turned).orElseThrow().differing() > 100);
     on(() -> {
-      outside.zoomAbout(50, -20, 2);
-      outside.zoomAbout(50, -20, 0.5);
+      wireframe.zoomAbout(50, -20, 2);
+      wireframe.zoomAbout(50, -20, 0.5);
       return null;
     });
-    assertEquals(0, inspection.Difference.between(turned, on(outside::image)).orElseThrow().differing());
+    assertEquals(0, inspection.Difference.between(turned, on(wireframe::image)).orElseThrow().differing());
     on(() -> {
-      outside.getActionMap().get("ESCAPE").actionPerformed(null);
+      wireframe.getActionMap().get("ESCAPE").actionPerformed(null);
       return null;
     });
-    assertFalse(on(() -> isShowing("outsideDialog")));
+    assertFalse(on(() -> isShowing("wireframeDialog")));
   }
 
   @Test
-  void theStateIsKeptAndEverythingHasANameAndAnExplanation() throws Exception {
+  void settingsAreKeptAndEveryCommandHasANameAndATip() throws Exception {
     on(() -> {
       window.frame().setSize(900, 650);
       window.unpin();
@@ -655,21 +655,21 @@ class RenderWindowTest {
   }
 
   @Test
-  void aMarchIsPlottedAsFarAsItHasDistances() throws Exception {
+  void aSphereTraceIsPlottedUpToItsLastDistance() throws Exception {
     final SphereTracePlot plot = new SphereTracePlot();
     plot.setSize(200, 150);
-    plot.setMarch(new SphereTrace(List.of(new SphereTrace.Step(0, 2), new SphereTrace.Step(2, 1), new SphereTrace.Step(3,
+    plot.setTrace(new SphereTrace(List.of(new SphereTrace.Step(0, 2), new SphereTrace.Step(2, 1), new SphereTrace.Step(3,
         Double.NaN),
         new SphereTrace.Step(Double.POSITIVE_INFINITY, 1)), 9, SphereTrace.End.UNDEFINED, Double.POSITIVE_INFINITY));
     final BufferedImage image = new BufferedImage(200, 150, BufferedImage.TYPE_INT_ARGB);
     plot.paintComponent(image.getGraphics());
     final int[] right = image.getRGB(185, 0, 15, 150, null, 0, 15), left = image.getRGB(0, 0, 15, 150, null, 0, 15);
-    assertTrue(Arrays.stream(right).anyMatch(argb -> argb == 0xffd64545), "the last distance is not there");
-    assertTrue(Arrays.stream(left).anyMatch(argb -> argb == 0xff2f7fd6), "the first distance is not there");
+    assertTrue(Arrays.stream(right).anyMatch(argb -> argb == 0xffd64545), "the last distance is missing");
+    assertTrue(Arrays.stream(left).anyMatch(argb -> argb == 0xff2f7fd6), "the first distance is missing");
   }
 
   @Test
-  void bothThemesCanBeShown() throws Exception {
+  void bothThemesCanBeChosen() throws Exception {
     final Color light = on(() -> window.frame().getContentPane().getBackground());
     on(() -> {
       window.switchTheme();
@@ -685,7 +685,7 @@ class RenderWindowTest {
 
   @Test
   void dialogsCloseWithTheWindow() throws Exception {
-    press("outside");
+    press("wireframe");
     on(() -> {
       window.close();
       return null;
