@@ -1,8 +1,12 @@
 package upnatray;
 
 import java.io.PrintStream;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 
 import arguments.Messages;
 import diagnostics.Problem;
@@ -10,10 +14,14 @@ import scenes.ReadResult;
 import scenes.SceneFile;
 import scenes.SceneReader;
 
-/** The scenes of a command line, one after the other; what is wrong with one does not stop the others. */
+/**
+ * The scenes of a command line, one after the other. A fault in one does not stop the others; but if the picture of any of
+ * them must not be written to its target, none is rendered.
+ */
 final class Batch {
 
   private static final int AT_FAULT = 1;
+  private static final int REFUSED = 2;
   private static final int INTERRUPTED = 130;
 
   private final Options options;
@@ -27,43 +35,93 @@ final class Batch {
     this.err = err;
   }
 
-  /** Renders or checks the scenes and answers the exit status. */
+  /** Renders or checks the scenes and returns the exit status. */
   int run(final List<Path> scenes) throws UsageException {
+    if (!options.check() && !mayBeWritten(scenes)) {
+      return REFUSED;
+    }
     int status = 0;
     interruption.install();
     for (final Path scene : scenes) {
-      if (!interruption.requested() && !isDone(scene)) {
-        status = AT_FAULT;
+      if (!interruption.requested()) {
+        status = Math.max(status, status(scene));
       }
     }
     interruption.uninstall();
     return interruption.requested() ? INTERRUPTED : status;
   }
 
-  private boolean isDone(final Path file) throws UsageException {
+  /** Reports each target that is refused. */
+  private boolean mayBeWritten(final List<Path> scenes) throws UsageException {
+    final Set<Path> targets = new LinkedHashSet<>();
+    for (final Path scene : scenes) {
+      targets.add(options.target(scene));
+    }
+    final Set<FileIdentity> inputs = inputs(new LinkedHashSet<>(scenes), targets.stream().anyMatch(Files::exists));
+    boolean good = true;
+    for (final Path target : targets) {
+      try {
+        new PngTarget(target).check(inputs);
+      } catch (final RefusedTargetException refused) {
+        err.println(refused.getMessage());
+        good = false;
+      } catch (final SaveException later) {
+        continue;
+      }
+    }
+    return good;
+  }
+
+  /**
+   * The scenes and, if there are several and a target exists, the files of their meshes: one that a later scene needs must
+   * not be replaced by the picture of an earlier one. Those of a single scene are known in time when it is read.
+   */
+  private static Set<FileIdentity> inputs(final Set<Path> scenes, final boolean targetExists) {
+    final Set<Path> inputs = new HashSet<>(scenes);
+    if (targetExists && scenes.size() > 1) {
+      for (final Path scene : scenes) {
+        inputs.addAll(meshes(scene));
+      }
+    }
+    return FileIdentity.of(inputs);
+  }
+
+  private static Set<Path> meshes(final Path scene) {
+    try {
+      return SceneReader.read(scene).scene().map(SceneFile::meshes).orElse(Set.of());
+    } catch (final OutOfMemoryError reportedLater) {
+      return Set.of();
+    }
+  }
+
+  private int status(final Path file) throws UsageException {
     final Path target = options.check() ? null : options.target(file);
     try {
       if (target != null) {
-        PngFile.check(target);
+        PngFile.check(target, List.of(file));
       }
       final ReadResult reading = SceneReader.read(file);
       reading.problems().forEach(err::println);
       if (target == null) {
-        return isSound(file, reading);
+        return isSound(file, reading) ? 0 : AT_FAULT;
       }
       if (reading.scene().isPresent()) {
+        PngFile.check(target, reading.scene().get().meshes());
         render(file, reading.scene().get(), target);
-        return true;
+        return 0;
       }
+    } catch (final RefusedTargetException refused) {
+      err.println(refused.getMessage());
+      return REFUSED;
     } catch (final SaveException failure) {
       err.println(failure.getMessage());
     } catch (final OutOfMemoryError full) {
       err.println(Messages.text("upnatray.memory", file, Runtime.getRuntime().maxMemory() >> 20));
     }
-    return false;
+    return AT_FAULT;
   }
 
-  /** Counts what is wrong with a scene; a picture that no array can hold is wrong as well. */
+  /** Counts the problems of a scene; a picture that no array can hold is one as well. */
   private boolean isSound(final Path file, final ReadResult reading) {
     long errors = reading.problems().stream().filter(Problem::isError).count();
     final long warnings = reading.problems().size() - errors;
@@ -93,7 +151,7 @@ final class Batch {
     }
   }
 
-  /** The job of rendering a scene; told in bytes if its image cannot be held. */
+  /** The job of rendering a scene; the message for an image that cannot be held gives its size in memory. */
   private RenderJob job(final Path file, final SceneFile scene, final int W, final int H) throws SaveException {
     final long pixels = (long) W * H;
     final long megabytes = (pixels * Integer.BYTES >> 20) + 1;

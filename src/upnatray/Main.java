@@ -9,7 +9,7 @@ import java.util.Optional;
 import arguments.Messages;
 
 /**
- * The command line: renders scene files to PNG files. {@code --help} tells the rest.
+ * The command line: renders scene files to PNG files. {@code --help} explains the options.
  *
  * <p>Exit status: 0, 1 if a scene or a file is at fault, 2 if the command line is, 130 if interrupted.
  */
@@ -35,7 +35,7 @@ public final class Main {
     }
   }
 
-  /** Does what a command line asks for and answers the exit status. */
+  /** Does what a command line asks for and returns the exit status. */
   static int run(final String... args) {
     try {
       final Options options = Options.of(args);
@@ -58,6 +58,7 @@ public final class Main {
           throw new UsageException("noDisplay");
         }
       }
+      System.setProperty("java.awt.headless", "true");
       return new Batch(options, System.out, System.err).run(scenes);
     } catch (final UsageException wrong) {
       System.err.println("UPNaTRay: " + wrong.getMessage());

@@ -1,12 +1,15 @@
 package upnatray;
 
 import java.io.File;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.StringJoiner;
@@ -14,8 +17,8 @@ import java.util.StringJoiner;
 import rendering.RenderPass;
 
 /**
- * What a command line asks for. (A library for command lines was tried: it costs more time to load than a small picture
- * takes to render.)
+ * The options and files of a command line. (Of the libraries for this, picocli adds 30 % to the CPU time of a small picture;
+ * commons-cli would save 30 lines, and its messages are in English only.)
  */
 final class Options {
 
@@ -60,7 +63,7 @@ final class Options {
     return options;
   }
 
-  /** Reads an option and answers how many arguments it took. */
+  /** Reads an option and returns how many arguments it took. */
   private int read(final String arg, final String next) throws UsageException {
     final int equals = arg.startsWith("--") ? arg.indexOf('=') : -1;
     final String name = equals < 0 ? arg : arg.substring(0, equals);
@@ -136,6 +139,9 @@ final class Options {
     if (output != null && scenes.size() > 1 && Files.exists(path(output)) && !Files.isDirectory(path(output))) {
       throw new UsageException("outputNoFolder", output);
     }
+    if (output != null && scenes.isEmpty() && isScene(output)) {
+      throw new UsageException("outputIsScene", output);
+    }
     if (check && scenes.isEmpty() && !help && !version) {
       throw new UsageException("nothingToCheck");
     }
@@ -149,25 +155,38 @@ final class Options {
 
   /** Two scenes of one name in different folders would be written to the same file. */
   private void checkTargets() throws UsageException {
-    final Map<Path, Path> sceneOf = new HashMap<>();
-    for (final Path scene : scenes) {
-      final Path other = sceneOf.putIfAbsent(target(scene).toAbsolutePath().normalize(), scene);
-      if (other != null && !other.equals(scene)) {
-        throw new UsageException("sameTarget", other, scene, target(scene));
+    final Map<Object, Path> sceneOf = new HashMap<>();
+    for (final Path scene : new LinkedHashSet<>(scenes)) {
+      final Path target = target(scene);
+      final Path other = sceneOf.putIfAbsent(identity(target), scene);
+      if (other != null && !identity(other).equals(identity(scene))) {
+        throw new UsageException("sameTarget", other, scene, target);
       }
     }
   }
 
-  /** The file to which the picture of a scene goes. A root has no name; that it is no scene is told later. */
+  private static Object identity(final Path file) {
+    try {
+      return FileIdentity.of(file);
+    } catch (final IOException nowhere) {
+      return file;
+    }
+  }
+
+  /** The file to which the picture of a scene goes. A root has no name; that it is not a scene is reported later. */
   Path target(final Path scene) throws UsageException {
     final String file = Objects.toString(scene.getFileName(), "");
-    final String name = (file.endsWith(".xml") ? file.substring(0, file.length() - 4) : file) + ".png";
+    final String name = (isScene(file) ? file.substring(0, file.length() - 4) : file) + ".png";
     if (output == null) {
       return Path.of("images", name);
     }
     final boolean folder = scenes.size() > 1 || output.endsWith("/") || output.endsWith(File.separator)
         || Files.isDirectory(path(output));
     return folder ? path(output).resolve(name) : path(output);
+  }
+
+  private static boolean isScene(final String name) {
+    return name.toLowerCase(Locale.ROOT).endsWith(".xml");
   }
 
   List<Path> scenes() {

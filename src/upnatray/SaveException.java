@@ -4,8 +4,8 @@ import java.nio.file.Path;
 
 import arguments.Messages;
 
-/** A picture that cannot be had; the message says why, to whom asked for it. */
-public final class SaveException extends Exception {
+/** Rendering or saving a picture failed; the message says why, for the user. */
+public class SaveException extends Exception {
 
   private static final long serialVersionUID = 1L;
 

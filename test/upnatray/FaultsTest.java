@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -27,7 +28,8 @@ import org.junit.jupiter.api.io.TempDir;
 /** Faults, done for real: a picture appears whole or not at all. */
 class FaultsTest {
 
-  private static final byte[] OLD = "the old picture".getBytes();
+  /** An old picture, as far as the first bytes tell. */
+  private static final byte[] OLD = "\u0089PNG\r\n\u001a\nthe old picture".getBytes(StandardCharsets.ISO_8859_1);
 
   private static final String SCENE = """
       <image>

@@ -1,0 +1,124 @@
+package upnatray;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Set;
+import java.util.regex.Pattern;
+
+import arguments.Messages;
+
+/** The file to which a picture is to be written, and what speaks against that. */
+final class PngTarget {
+
+  private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+  private static final String ENDING = ".png";
+
+  /** Endings of other image formats, and of files that pictures are made of. */
+  private static final Pattern OTHER_FORMAT = Pattern.compile(
+      "(.*)\\.(?:jpe?g|jpe|jfif|jp2|jxl|gif|bmp|dib|tiff?|webp|p[bgnp]m|pfm|tga|ico|svgz?|exr|hdr|heic|heif|avif|psd|pcx"
+      + "|x[bp]m|qoi|eps|pdf|xml|xsd|obj|mtl|zip|gz|java)",
+      Pattern.CASE_INSENSITIVE | Pattern.DOTALL);
+
+  /** Names that Windows keeps for devices, in every folder and with any ending. */
+  private static final Pattern DEVICE = Pattern.compile(
+      "(?:con|prn|aux|nul|conin\\$|conout\\$|(?:com|lpt)[0-9¹²³]) *(?:[.:].*)?",
+      Pattern.CASE_INSENSITIVE | Pattern.DOTALL);
+
+  private final Path target;
+
+  PngTarget(final Path target) {
+    this.target = target;
+  }
+
+  /** Checks all that can be seen before the picture is rendered; the inputs are the files that it is made of. */
+  void check(final Set<FileIdentity> inputs) throws SaveException {
+    checkName(File.separatorChar == '\\');
+    checkPlace();
+    if (!inputs.isEmpty() && inputs.contains(identity())) {
+      throw new RefusedTargetException("isInput", target);
+    }
+    checkContent();
+  }
+
+  private FileIdentity identity() throws SaveException {
+    try {
+      return FileIdentity.of(target);
+    } catch (final IOException failure) {
+      throw new SaveException("notSaved", target, SaveFailure.reason(failure), failure);
+    }
+  }
+
+  /** Whether the file is there, whatever is in it. */
+  boolean exists() {
+    return Files.exists(target);
+  }
+
+  void checkName(final boolean windows) throws SaveException {
+    final String name = name();
+    final var other = OTHER_FORMAT.matcher(name);
+    if (other.matches()) {
+      final String would = other.group(1).isEmpty() ? name : other.group(1);
+      throw new RefusedTargetException("otherFormat", target, target.resolveSibling(would + ENDING));
+    }
+    if (windows && DEVICE.matcher(name).matches()) {
+      throw new RefusedTargetException("isDevice", target, name);
+    }
+  }
+
+  private String name() {
+    return Objects.toString(target.getFileName(), "");
+  }
+
+  private void checkPlace() throws SaveException {
+    if (Files.isDirectory(target)) {
+      throw new SaveException("notSaved", target, Messages.text("upnatray.isFolder"), null);
+    }
+    if (Files.exists(target) && !Files.isRegularFile(target)) {
+      throw new SaveException("notSaved", target, Messages.text("upnatray.isNoFile"), null);
+    }
+    final Path folder = folder();
+    if (Files.exists(folder) && !Files.isDirectory(folder)) {
+      throw new SaveException("notSaved", target, Messages.text("upnatray.noFolder", folder), null);
+    }
+    if (Files.exists(folder) && !Files.isWritable(folder)) {
+      throw new SaveException("notSaved", target, Messages.text("upnatray.denied", folder), null);
+    }
+  }
+
+  /** A file is replaced only if it is a PNG; an empty one of that name, as mktemp makes it, holds nothing to be lost. */
+  private void checkContent() throws SaveException {
+    if (!Files.exists(target)) {
+      return;
+    }
+    try (InputStream in = Files.newInputStream(target)) {
+      final byte[] first = in.readNBytes(SIGNATURE.length);
+      final boolean replaceable = first.length == 0 ? name().toLowerCase(Locale.ROOT).endsWith(ENDING)
+          : Arrays.equals(first, SIGNATURE);
+      if (!replaceable) {
+        throw new RefusedTargetException("notPng", target);
+      }
+    } catch (final IOException failure) {
+      throw new RefusedTargetException("notKnownAsPng", target, SaveFailure.reason(failure));
+    }
+  }
+
+  /** Where the file itself is to be written: a symbolic link keeps its place, and what it leads to is replaced. */
+  Path place() throws IOException {
+    return FileIdentity.place(target);
+  }
+
+  private Path folder() throws SaveException {
+    try {
+      final Path parent = place().getParent();
+      return parent == null ? Path.of("") : parent;
+    } catch (final IOException failure) {
+      throw new SaveException("notSaved", target, SaveFailure.reason(failure), failure);
+    }
+  }
+}
