@@ -10,40 +10,30 @@ final class GridFit {
   /** Least sine of the angle between the directions in which columns and rows grow. */
   private static final double DISTINCT = 1e-3;
 
-  /** Least cosine between a ray of a pyramid and its axis. */
-  private static final double NARROW = 0.25;
-
   /** Step between pixels where there is one column or row only, so that any will do. */
   private static final double ANY_STEP = 1e-3;
 
-  boolean pyramid;
-  double originX;
-  double originY;
-  double originZ;
-  double wx;
-  double wy;
-  double wz;
-  double ax;
-  double ay;
-  double az;
-  double a0;
-  double bx;
-  double by;
-  double bz;
-  double b0;
-  double columnMargin;
-  double rowMargin;
-
   private RayTile tile;
+  private TileGrid grid;
+  private double wx;
+  private double wy;
+  private double wz;
+  private double ax;
+  private double ay;
+  private double az;
+  private double bx;
+  private double by;
+  private double bz;
   private int first;
   private int end;
   private double stepX;
   private double stepY;
   private double stepZ;
 
-  /** Fits the grid; answers whether the rays allow it. */
-  boolean fit(final RayTile rays) {
+  /** Fits the grid; returns whether the rays allow it. */
+  boolean fit(final RayTile rays, final TileGrid fitted) {
     tile = rays;
+    grid = fitted;
     end = RayTile.SIZE * rays.rows();
     return findAxis() && findGrid() && findMargins();
   }
@@ -57,11 +47,8 @@ final class GridFit {
     if (first == end) {
       return false;
     }
-    originX = tile.startX(first);
-    originY = tile.startY(first);
-    originZ = tile.startZ(first);
-    boolean direction = true;
-    pyramid = true;
+    final double originX = tile.startX(first), originY = tile.startY(first), originZ = tile.startZ(first);
+    boolean direction = true, pyramid = true;
     double x = 0, y = 0, z = 0;
     for (int i = first; i < end; i++) {
       if (tile.isPresent(i)) {
@@ -73,10 +60,12 @@ final class GridFit {
         z += tile.directionZ(i);
       }
     }
-    final double length = Math.sqrt(x * x + y * y + z * z);
-    wx = x / length;
-    wy = y / length;
-    wz = z / length;
+    grid.setOrigin(originX, originY, originZ);
+    grid.pyramid = pyramid;
+    grid.setAxis(x, y, z);
+    wx = grid.axisX;
+    wy = grid.axisY;
+    wz = grid.axisZ;
     return pyramid || direction;
   }
 
@@ -122,6 +111,7 @@ final class GridFit {
 
   /** Mean step of q along lines of pixels: from the first to the last ray of each. */
   private void sumSteps(final int lines, final int lineStride, final int pixels, final int stride) {
+    final boolean pyramid = grid.pyramid;
     double x = 0, y = 0, z = 0;
     int steps = 0;
     for (int line = 0; line < lines; line++) {
@@ -151,6 +141,7 @@ final class GridFit {
 
   /** Finds a₀ and b₀ in the middle of what the rays ask for, and the margins about them. */
   private boolean findMargins() {
+    final boolean pyramid = grid.pyramid;
     double leastA = Double.POSITIVE_INFINITY, mostA = Double.NEGATIVE_INFINITY;
     double leastB = Double.POSITIVE_INFINITY, mostB = Double.NEGATIVE_INFINITY, narrowest = 1;
     for (int row = 0; row < tile.rows(); row++) {
@@ -159,9 +150,9 @@ final class GridFit {
         column++;
         if (tile.isPresent(i)) {
           final double depth = depthOf(i), k = pyramid ? 1 / depth : 1;
-          final double x = pyramid ? tile.directionX(i) : tile.startX(i) - originX;
-          final double y = pyramid ? tile.directionY(i) : tile.startY(i) - originY;
-          final double z = pyramid ? tile.directionZ(i) : tile.startZ(i) - originZ;
+          final double x = pyramid ? tile.directionX(i) : tile.startX(i) - grid.originX;
+          final double y = pyramid ? tile.directionY(i) : tile.startY(i) - grid.originY;
+          final double z = pyramid ? tile.directionZ(i) : tile.startZ(i) - grid.originZ;
           final double offA = column - k * (ax * x + ay * y + az * z), offB = row - k * (bx * x + by * y + bz * z);
           narrowest = depth < narrowest ? depth : narrowest;
           leastA = offA < leastA ? offA : leastA;
@@ -171,10 +162,21 @@ final class GridFit {
         }
       }
     }
-    a0 = 0.5 * (leastA + mostA);
-    b0 = 0.5 * (leastB + mostB);
-    columnMargin = 0.5 * (mostA - leastA);
-    rowMargin = 0.5 * (mostB - leastB);
-    return narrowest > NARROW && columnMargin < RayTile.SIZE && rowMargin < RayTile.SIZE;
+    grid.columnMargin = 0.5 * (mostA - leastA);
+    grid.rowMargin = 0.5 * (mostB - leastB);
+    takeForms(0.5 * (leastA + mostA), 0.5 * (leastB + mostB));
+    return narrowest > TileGrid.NARROW && grid.columnMargin < RayTile.SIZE && grid.rowMargin < RayTile.SIZE;
+  }
+
+  private void takeForms(final double a0, final double b0) {
+    if (grid.pyramid) {
+      grid.setColumn(ax + a0 * wx, ay + a0 * wy, az + a0 * wz, 0);
+      grid.setRow(bx + b0 * wx, by + b0 * wy, bz + b0 * wz, 0);
+      grid.setDepth(wx, wy, wz, 0);
+    } else {
+      grid.setColumn(ax, ay, az, a0);
+      grid.setRow(bx, by, bz, b0);
+      grid.setDepth(0, 0, 0, 1);
+    }
   }
 }

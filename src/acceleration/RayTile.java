@@ -25,7 +25,7 @@ public final class RayTile {
   private static final double SPLITTER = (1 << 29) + 1;
 
   /** What the rays were put in as, and {@link #close()} has still to do for them. */
-  private enum Kind { RAW, UNIT, EXACT }
+  private enum Kind { NONE, RAW, UNIT, EXACT, PENCIL }
 
   private final double[] startX = new double[SIZE * SIZE];
   private final double[] startY = new double[SIZE * SIZE];
@@ -38,7 +38,15 @@ public final class RayTile {
   private final double[] vz = new double[SIZE * SIZE];
   private final TileFrustum frustum = new TileFrustum();
 
-  private Kind kind = Kind.RAW;
+  /** For the rays of a pencil, the a and b of each; see {@link Pencil}. */
+  private final double[] a = new double[SIZE * SIZE];
+  private final double[] b = new double[SIZE * SIZE];
+  private Pencil pencil;
+
+  /** The pencil whose start all pixels have at present; null if it is none. */
+  private Pencil started;
+
+  private Kind kind = Kind.NONE;
   private int columns;
   private int rows;
   private int firstColumn;
@@ -52,7 +60,7 @@ public final class RayTile {
 
   /**
    * Forgets all rays and sets the size. Whoever fills a tile calls this first, then one of the three methods that put a
-   * ray in, the same for all pixels, and {@link #close()} last.
+   * ray in, the same for all pixels, or {@link #fill}, and {@link #close()} last.
    *
    * @param width number of columns, 1 … {@link #SIZE}
    * @param height number of rows, 1 … {@link #SIZE}
@@ -60,8 +68,16 @@ public final class RayTile {
   public void open(final int width, final int height) {
     columns = width;
     rows = height;
-    Arrays.fill(vx, Double.NaN);
-    Arrays.fill(directionX, Double.NaN);
+    kind = Kind.NONE;
+  }
+
+  private void begin(final Kind filling) {
+    if (kind == Kind.NONE) {
+      Arrays.fill(vx, Double.NaN);
+      Arrays.fill(directionX, Double.NaN);
+      started = null;
+    }
+    kind = filling;
   }
 
   /**
@@ -77,7 +93,7 @@ public final class RayTile {
    */
   public void put(final int i, final double x, final double y, final double z,
       final double dx, final double dy, final double dz) {
-    kind = Kind.RAW;
+    begin(Kind.RAW);
     putStart(i, x, y, z);
     putDirection(i, dx, dy, dz);
   }
@@ -95,7 +111,7 @@ public final class RayTile {
    */
   public void putUnit(final int i, final double x, final double y, final double z,
       final float dx, final float dy, final float dz) {
-    kind = Kind.UNIT;
+    begin(Kind.UNIT);
     putStart(i, x, y, z);
     putDirection(i, dx, dy, dz);
   }
@@ -113,12 +129,39 @@ public final class RayTile {
    */
   public void putExactly(final int i, final double x, final double y, final double z,
       final double dx, final double dy, final double dz) {
-    kind = Kind.EXACT;
+    begin(Kind.EXACT);
     putStart(i, x, y, z);
     putDirection(i, dx, dy, dz);
     directionX[i] = dx;
     directionY[i] = dy;
     directionZ[i] = dz;
+  }
+
+  /**
+   * Fills the tile with rays of a pencil, rounded as those of {@link #put} are.
+   *
+   * @param rays the pencil
+   * @param columnCentres the a of each column of an image
+   * @param m the image's column that is the tile's first
+   * @param rowCentres the b of each row of an image
+   * @param n the image's row that is the tile's first
+   */
+  public void fill(final Pencil rays, final double[] columnCentres, final int m, final double[] rowCentres, final int n) {
+    kind = Kind.PENCIL;
+    pencil = rays;
+    for (int row = 0; row < rows; row++) {
+      final int first = row * SIZE;
+      System.arraycopy(columnCentres, m, a, first, columns);
+      Arrays.fill(a, first + columns, first + SIZE, Double.NaN);
+      Arrays.fill(b, first, first + SIZE, rowCentres[n + row]);
+    }
+    rays.directions(SIZE * rows, a, b, vx, vy, vz);
+    if (started != rays) {
+      Arrays.fill(startX, rays.startX);
+      Arrays.fill(startY, rays.startY);
+      Arrays.fill(startZ, rays.startZ);
+      started = rays;
+    }
   }
 
   private void putStart(final int i, final double x, final double y, final double z) {
@@ -135,17 +178,24 @@ public final class RayTile {
 
   /** Ends the filling: rounds what has to be rounded, and finds the frustum about the rays. */
   public void close() {
+    begin(kind == Kind.NONE ? Kind.UNIT : kind);
     final int n = SIZE * rows;
     if (kind == Kind.RAW) {
       roundStarts(n, startX);
       roundStarts(n, startY);
       roundStarts(n, startZ);
+    }
+    if (kind == Kind.RAW || kind == Kind.PENCIL) {
       roundDirections(n, vx, vy, vz);
     }
     if (kind != Kind.EXACT) {
       bringToUnit(n, vx, vy, vz, directionX, directionY, directionZ);
     }
-    frustum.fit(this);
+    if (kind == Kind.PENCIL) {
+      frustum.fit(this, pencil, a, b);
+    } else {
+      frustum.fit(this);
+    }
     reset();
   }
 

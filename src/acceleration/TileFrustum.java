@@ -23,10 +23,18 @@ public final class TileFrustum {
   /** Added before digits are cut off to round up; numbers just above a whole one go down to it, which does no harm. */
   private static final double UP = 1 - 1e-9;
 
+  /**
+   * Depth below which a projection may be off by more than {@link #ROUNDING}, relative to the sum of |n| |V| of a side
+   * plane: some ten roundings of 2^-53 in C·V, and as many in D·V times the greatest column.
+   */
+  private static final double SHALLOW = 1e-8;
+
   /** Sums below this cannot overflow a float. */
   private static final double HUGE = 1e37;
 
-  private final GridFit grid = new GridFit();
+  private final TileGrid grid = new TileGrid();
+  private final GridFit measured = new GridFit();
+  private final PencilGrid derived = new PencilGrid();
 
   private final SidePlane left = new SidePlane();
   private final SidePlane right = new SidePlane();
@@ -65,6 +73,9 @@ public final class TileFrustum {
   private int nearX;
   private int nearY;
   private int nearZ;
+
+  /** Depth below which vertices within the box last prepared for are not projected. */
+  private double least;
   private double columnMargin;
   private double rowMargin;
   private int columns;
@@ -82,8 +93,18 @@ public final class TileFrustum {
 
   /** Encloses the rays of a tile, if they allow it. */
   void fit(final RayTile tile) {
-    fitted = grid.fit(tile);
+    enclose(tile, measured.fit(tile, grid));
+  }
+
+  /** Encloses the rays that the tile made of a pencil and the centres of its pixels. */
+  void fit(final RayTile tile, final Pencil pencil, final double[] a, final double[] b) {
+    enclose(tile, derived.derive(pencil, tile, a, b, grid) || measured.fit(tile, grid));
+  }
+
+  private void enclose(final RayTile tile, final boolean possible) {
+    fitted = possible;
     prepared = null;
+    least = 0;
     if (fitted) {
       columns = tile.columns();
       rows = tile.rows();
@@ -93,28 +114,27 @@ public final class TileFrustum {
   }
 
   private void takeProjection(final RayTile tile) {
-    final GridFit g = grid;
-    final double p = g.pyramid ? 1 : 0;
+    final TileGrid g = grid;
     originX = g.originX;
     originY = g.originY;
     originZ = g.originZ;
-    columnX = g.ax + p * g.a0 * g.wx;
-    columnY = g.ay + p * g.a0 * g.wy;
-    columnZ = g.az + p * g.a0 * g.wz;
-    columnAt = (1 - p) * g.a0;
-    rowX = g.bx + p * g.b0 * g.wx;
-    rowY = g.by + p * g.b0 * g.wy;
-    rowZ = g.bz + p * g.b0 * g.wz;
-    rowAt = (1 - p) * g.b0;
-    depthX = p * g.wx;
-    depthY = p * g.wy;
-    depthZ = p * g.wz;
-    depthAt = 1 - p;
+    columnX = g.columnX;
+    columnY = g.columnY;
+    columnZ = g.columnZ;
+    columnAt = g.columnAt;
+    rowX = g.rowX;
+    rowY = g.rowY;
+    rowZ = g.rowZ;
+    rowAt = g.rowAt;
+    depthX = g.depthX;
+    depthY = g.depthY;
+    depthZ = g.depthZ;
+    depthAt = g.depthAt;
     columnMargin = g.columnMargin + ROUNDING;
     rowMargin = g.rowMargin + ROUNDING;
-    axisX = g.wx;
-    axisY = g.wy;
-    axisZ = g.wz;
+    axisX = g.axisX;
+    axisY = g.axisY;
+    axisZ = g.axisZ;
     findStarts(tile);
     floatAxisX = (float) axisX;
     floatAxisY = (float) axisY;
@@ -169,6 +189,7 @@ public final class TileFrustum {
     final double z = most(whole[2], whole[5], originZ);
     final double greatest = Math.max(Math.max(left.loosen(x, y, z), right.loosen(x, y, z)),
         Math.max(below.loosen(x, y, z), above.loosen(x, y, z)));
+    least = grid.pyramid ? SHALLOW * greatest : 0;
     nearLoose = (float) (-mostAhead - SidePlane.ROUNDING * (x + y + z + mostAhead));
     farLoose = (float) (mostBehind + SidePlane.ROUNDING * (x + y + z + mostBehind));
     return greatest < HUGE && x + y + z + mostAhead + mostBehind < HUGE;
@@ -249,8 +270,8 @@ public final class TileFrustum {
     final double a = depthX * ax + depthY * ay + depthZ * az + depthAt;
     final double b = depthX * bx + depthY * by + depthZ * bz + depthAt;
     final double c = depthX * cx + depthY * cy + depthZ * cz + depthAt;
-    if (!(a > 0 && b > 0 && c > 0)) {
-      return all() && (a > 0 || b > 0 || c > 0);
+    if (!(a > least && b > least && c > least)) {
+      return all() && !(a < -least && b < -least && c < -least);
     }
     final double ka = 1 / a, kb = 1 / b, kc = 1 / c;
     final double ca = (columnX * ax + columnY * ay + columnZ * az + columnAt) * ka;

@@ -9,6 +9,7 @@ import static arguments.Arguments.wrongState;
 import javax.vecmath.Matrix4d;
 import javax.vecmath.Vector3d;
 
+import acceleration.Pencil;
 import primitives.Point3D;
 import primitives.Vector3D;
 import tracer.RayGenerator;
@@ -165,5 +166,14 @@ public class Camera {
 
   double pointZ(final double x, final double y) {
     return toScene.m20 * x + (toScene.m21 * y + toScene.m23);
+  }
+
+  /** The rays from the camera through the points (a, b, −1) of its frame. */
+  Pencil pencil() {
+    return new Pencil(column(3), column(0), column(1), new double[] {-toScene.m02, -toScene.m12, -toScene.m22});
+  }
+
+  private double[] column(final int k) {
+    return new double[] {toScene.getElement(0, k), toScene.getElement(1, k), toScene.getElement(2, k)};
   }
 }

@@ -3,6 +3,7 @@ package view;
 import static arguments.Arguments.between;
 import static arguments.Arguments.positive;
 
+import acceleration.Pencil;
 import acceleration.RayTile;
 import tracer.Ray;
 import tracer.RayGenerator;
@@ -38,11 +39,17 @@ public class Perspective extends Projection {
 
     private final Camera camera;
     private final Projection projection;
+    private final Pencil pencil;
+    private final double[] columnCentres;
+    private final double[] rowCentres;
 
     PerspectiveRayGenerator(final Camera camera, final int W, final int H) {
       super(camera, W, H);
       this.camera = camera;
       this.projection = camera.getProjection();
+      this.pencil = camera.pencil();
+      this.columnCentres = projection.columnCentres(0, W, W);
+      this.rowCentres = projection.rowCentres(H);
     }
 
     @Override
@@ -56,16 +63,7 @@ public class Perspective extends Projection {
     @Override
     public void fill(final RayTile tile, final int m, final int n) {
       checkTile(tile, m, n);
-      final double eyeX = camera.eyeX(), eyeY = camera.eyeY(), eyeZ = camera.eyeZ();
-      final double[] x = projection.columnCentres(m, tile.columns(), getWidth());
-      for (int row = 0; row < tile.rows(); row++) {
-        final double b = projection.rowCentre(n + row, getHeight());
-        for (int column = 0; column < tile.columns(); column++) {
-          final double a = x[column];
-          tile.put(row * RayTile.SIZE + column, eyeX, eyeY, eyeZ,
-              camera.vectorX(a, b, -1), camera.vectorY(a, b, -1), camera.vectorZ(a, b, -1));
-        }
-      }
+      tile.fill(pencil, columnCentres, m, rowCentres, n);
     }
   }
 }

@@ -83,6 +83,15 @@ public abstract class Projection {
     return centres;
   }
 
+  /** {@link #rowCentre} of all rows. */
+  final double[] rowCentres(final int H) {
+    final double[] centres = new double[H];
+    for (int i = 0; i < H; i++) {
+      centres[i] = rowCentre(i, H);
+    }
+    return centres;
+  }
+
   private static double centre(final double size, final int pixels, final int i) {
     return (i + 0.5) * size / pixels - size / 2;
   }
