@@ -100,6 +100,70 @@ public final class Arguments {
   }
 
   /**
+   * Checks that a number lies in a closed interval.
+   *
+   * @param name name of the argument
+   * @param low lower end, allowed
+   * @param high upper end, allowed
+   * @param value its value
+   * @return the value
+   * @throws IllegalArgumentException if the value lies outside, or is NaN
+   */
+  public static float within(final String name, final float low, final float high, final float value) {
+    if (!(value >= low && value <= high)) {
+      throw wrong("within", name, value, low, high);
+    }
+    return value;
+  }
+
+  /**
+   * Checks that a number in double lies in a closed interval.
+   *
+   * @param name name of the argument
+   * @param low lower end, allowed
+   * @param high upper end, allowed
+   * @param value its value
+   * @return the value
+   * @throws IllegalArgumentException if the value lies outside, or is NaN
+   */
+  public static double within(final String name, final double low, final double high, final double value) {
+    if (!(value >= low && value <= high)) {
+      throw wrong("within", name, value, low, high);
+    }
+    return value;
+  }
+
+  /**
+   * Checks a quantity: at least 0 and finite.
+   *
+   * @param name name of the argument
+   * @param value its value
+   * @return the value
+   * @throws IllegalArgumentException if the value is negative, infinite or NaN
+   */
+  public static float notNegative(final String name, final float value) {
+    if (!(value >= 0 && value < Float.POSITIVE_INFINITY)) {
+      throw wrong("notNegative", name, value);
+    }
+    return value;
+  }
+
+  /**
+   * Checks a quantity in double: at least 0 and finite.
+   *
+   * @param name name of the argument
+   * @param value its value
+   * @return the value
+   * @throws IllegalArgumentException if the value is negative, infinite or NaN
+   */
+  public static double notNegative(final String name, final double value) {
+    if (!(value >= 0 && value < Double.POSITIVE_INFINITY)) {
+      throw wrong("notNegative", name, value);
+    }
+    return value;
+  }
+
+  /**
    * Checks that an index is one of {@code 0 … count - 1}.
    *
    * @param name name of the argument

@@ -1,0 +1,65 @@
+package materials;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.ColorModel;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.Raster;
+
+/**
+ * The pixels of an image as they are stored. {@link BufferedImage#getRGB} takes a grey image for linear and shows a stored 20
+ * as 79, and converts what has a colour profile; so samples are read from the raster, wherever there is one for each channel.
+ */
+final class StoredTexels {
+
+  private final BufferedImage image;
+  private final ColorModel model;
+
+  StoredTexels(final BufferedImage image) {
+    this.image = image;
+    this.model = image.getColorModel();
+  }
+
+  /** The texels row by row, the upper one first, sRGB with alpha in the highest byte. */
+  int[] read() {
+    final int width = image.getWidth(), height = image.getHeight();
+    return hasPlainSamples() ? samples(width, height) : image.getRGB(0, 0, width, height, null, 0, width);
+  }
+
+  /** Whether each channel has a number of its own: grey or RGB, perhaps with alpha, in 8 or 16 bits. */
+  private boolean hasPlainSamples() {
+    final int type = model.getTransferType();
+    return model instanceof ComponentColorModel && !model.isAlphaPremultiplied() && model.getNumComponents() <= 4
+        && (type == DataBuffer.TYPE_BYTE || type == DataBuffer.TYPE_USHORT);
+  }
+
+  private int[] samples(final int width, final int height) {
+    final Raster raster = image.getRaster();
+    final int bands = model.getNumComponents(), opaque = model.hasAlpha() ? bands - 1 : bands;
+    final int green = opaque >= 3 ? 1 : 0, blue = opaque >= 3 ? 2 : 0;
+    final int[] texels = new int[width * height], row = new int[width * bands], scales = scales(bands);
+    for (int y = 0; y < height; y++) {
+      raster.getPixels(raster.getMinX(), raster.getMinY() + y, width, 1, row);
+      for (int x = 0; x < width; x++) {
+        final int i = x * bands;
+        final int alpha = model.hasAlpha() ? eight(row[i + opaque], scales[opaque]) : 255;
+        texels[y * width + x] = alpha << 24 | eight(row[i], scales[0]) << 16 | eight(row[i + green], scales[green]) << 8
+            | eight(row[i + blue], scales[blue]);
+      }
+    }
+    return texels;
+  }
+
+  private int[] scales(final int bands) {
+    final int[] scales = new int[bands];
+    for (int band = 0; band < bands; band++) {
+      scales[band] = (1 << model.getComponentSize(band)) - 1;
+    }
+    return scales;
+  }
+
+  /** A sample of 0 … scale as one of 0 … 255, rounded. */
+  private static int eight(final int sample, final int scale) {
+    return (510 * sample + scale) / (2 * scale);
+  }
+}

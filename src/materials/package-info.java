@@ -1,0 +1,49 @@
+/**
+ * What surfaces do to light. Quantities and channels are those of {@link radiometry}.
+ *
+ * <h2>Conventions</h2>
+ * <ul>
+ * <li>Directions are unit vectors that point away from the surface: wi towards the light, wo towards the viewer. The normal n
+ *     is on the viewer's side, n·wo &gt; 0; ci = n·wi, co = n·wo, h = unit(wi + wo), c = wo·h.</li>
+ * <li>A BRDF or BTDF f is in 1/sr: the radiance towards wo is f times the irradiance on the surface, which includes ci.</li>
+ * <li>A <em>lobe</em> shows lights; an <em>ideal</em> part shows none, as no ray meets a point, but the mirrored or refracted
+ *     scene, which a renderer follows by recursion.</li>
+ * <li>A {@link materials.BRDF} reflects on the viewer's side only; a {@link materials.BTDF} also shows lights on the other
+ *     side. Surfaces have two sides that look alike, but for the indices of refraction: inside is the side opposite to the
+ *     surface's own normal.</li>
+ * <li>Reflectances are linear factors from 0 to 1. Angles are in degrees: β, the angle of half value of a
+ *     {@link materials.NormalDistributionFunction}, and σ, the roughness of {@link materials.OrenNayar}.</li>
+ * <li>Materials are immutable and are asked by several threads at once.</li>
+ * </ul>
+ *
+ * <h2>How to add a material</h2>
+ * <p>Extend {@link materials.BRDF} and write {@code reflect}. A surface that also mirrors overrides {@code mirror}. As an
+ * example, a drawing with three steps of brightness:
+ *
+ * <pre>{@code
+ * public class Toon extends BRDF {
+ *   private final ReflectanceRGB k;
+ *
+ *   public Toon(ReflectanceRGB k) {
+ *     this.k = k;
+ *   }
+ *
+ *   @Override
+ *   public RadianceRGB reflect(RadianceRGB E, Vector3D wi, Vector3D wo, Vector3D n) {
+ *     double c = n.dot(wi);
+ *     return E.times(k).times(Math.ceil(3 * c) / (3 * c) / Math.PI);
+ *   }
+ * }
+ * }</pre>
+ *
+ * <p>A distribution of microfacets extends {@link materials.NormalDistributionFunction} and writes {@code density}. The tests
+ * have an interface of laws for BRDFs, {@code BRDFContract}; a test of a new one implements it.
+ *
+ * <h2>For renderers</h2>
+ * <p>A renderer keeps a {@link materials.SurfaceInteraction} and some {@link materials.SpecularRays} for each thread; with the
+ * materials of this package nothing is allocated. At a hit, {@code setView}; for each light that is on the right side, before
+ * any search for obstacles, {@code setIncident}, {@code setIrradiance} and {@link materials.Material#scatter}; then
+ * {@link materials.Material#specular}. A light counts if it is before the surface by both normals, or behind it by both if the
+ * material {@link materials.Material#transmits}.
+ */
+package materials;
