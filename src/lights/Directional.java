@@ -27,8 +27,8 @@ public final class Directional extends Light {
    * @param radius radius of the disc in scene units, &gt; 0
    * @param spectrum how the power is shared among the channels
    * @param power emitted power, &gt; 0
-   * @throws IllegalArgumentException if an argument is null or not finite, if both points are equal, or if radius or power is
-   *     not positive
+   * @throws IllegalArgumentException if an argument is null or not finite, if both points are equal, or if radius or power
+   *     is not positive
    */
   public Directional(final Point3D position, final Point3D lookAt, final float radius, final SpectrumRGB spectrum,
       final float power) {

@@ -24,7 +24,8 @@ public final class AshikhminShirley extends DiffuseSpecular {
    * @param ndf distribution of the microfacets; null for a polished surface
    * @throws IllegalArgumentException if a reflectance is null or black
    */
-  public AshikhminShirley(final ReflectanceRGB diffuse, final ReflectanceRGB specular, final NormalDistributionFunction ndf) {
+  public AshikhminShirley(final ReflectanceRGB diffuse, final ReflectanceRGB specular,
+      final NormalDistributionFunction ndf) {
     super(Channels.of(Energy.notBlack("diffuse", diffuse)).times(28 / (23 * Math.PI)).times(Channels.of(specular).rest()),
         Channels.of(Energy.notBlack("specular", specular)), Channels.of(specular).rest(), ndf,
         StandIn.of(diffuse, specular));

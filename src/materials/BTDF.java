@@ -9,15 +9,15 @@ import radiometry.RadianceRGB;
 import radiometry.ReflectanceRGB;
 
 /**
- * A bidirectional transmittance distribution function: the surface between two transparent media, which reflects a part of the
- * light and lets the rest through, bent. Inside is the side opposite to the surface's own normal. η<sub>o</sub> is the index of
- * refraction on the viewer's side of the surface, η<sub>t</sub> that of the other; each surface separates its own two indices,
- * and there is no stack of media.
+ * A bidirectional transmittance distribution function: the surface between two transparent media, which reflects a part
+ * of the light and lets the rest through, bent. Inside is the side opposite to the surface's own normal. η<sub>o</sub>
+ * is the index of refraction on the viewer's side of the surface, η<sub>t</sub> that of the other; each surface
+ * separates its own two indices, and there is no stack of media.
  *
  * <p>The ideal part is followed by recursion: reflection with the factor k F, refraction with the factor k (1 − F)
- * (η<sub>o</sub>/η<sub>t</sub>)², F being Fresnel's reflectance for unpolarised light. The last term is the change of radiance
- * at an interface, which cancels on the way through. Source: Pharr, Jakob and Humphreys, "Physically Based Rendering", 4th
- * edition, 2023, sections 9.3 and 9.5.
+ * (η<sub>o</sub>/η<sub>t</sub>)², F being Fresnel's reflectance for unpolarised light. The last term is the change of
+ * radiance at an interface, which cancels on the way through. Source: Pharr, Jakob and Humphreys, "Physically Based
+ * Rendering", 4th edition, 2023, sections 9.3 and 9.5.
  */
 public abstract class BTDF extends Material {
 
@@ -44,8 +44,8 @@ public abstract class BTDF extends Material {
   }
 
   /**
-   * Radiance that is sent in a direction because of light from another, be it on the same side of the surface or on the other:
-   * f(wi, wo) times the irradiance on the surface.
+   * Radiance that is sent in a direction because of light from another, be it on the same side of the surface or on the
+   * other: f(wi, wo) times the irradiance on the surface.
    *
    * @param irradiance on the surface, that is, with the cosine |n·wi| included
    * @param wi unit vector towards the light

@@ -4,7 +4,10 @@ import static arguments.Arguments.wrong;
 
 import radiometry.ReflectanceRGB;
 
-/** The checks of reflectances that only make sense together: a surface sends back no more than it receives, and something. */
+/**
+ * The checks of reflectances that only make sense together: a surface sends back no more than it receives, and
+ * something.
+ */
 final class Energy {
 
   /** How far the sum of two reflectances, each rounded to a float, may exceed 1. */

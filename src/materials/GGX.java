@@ -1,9 +1,10 @@
 package materials;
 
 /**
- * The distribution of an ellipsoid's normals, with a long tail: D(θ) = α² / (π (α² cos² θ + sin² θ)²), α² = sin² β / (√2 − cos²
- * β). Sources: Trowbridge and Reitz, as D₃ in Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH
- * 1977; Walter, Marschner, Li and Torrance, "Microfacet models for refraction through rough surfaces", EGSR 2007, section 5.2.
+ * The distribution of an ellipsoid's normals, with a long tail: D(θ) = α² / (π (α² cos² θ + sin² θ)²), α² = sin² β /
+ * (√2 − cos² β). Sources: Trowbridge and Reitz, as D₃ in Blinn, "Models of light reflection for computer synthesized
+ * pictures", SIGGRAPH 1977; Walter, Marschner, Li and Torrance, "Microfacet models for refraction through rough
+ * surfaces", EGSR 2007, section 5.2.
  */
 public final class GGX extends NormalDistributionFunction {
 

@@ -3,8 +3,8 @@ package materials;
 import radiometry.ReflectanceRGB;
 
 /**
- * A polished metal: ideal reflection with the factor k<sub>s</sub> at every angle, and no lobe. Source: Whitted, "An improved
- * illumination model for shaded display", Communications of the ACM 23(6), 1980.
+ * A polished metal: ideal reflection with the factor k<sub>s</sub> at every angle, and no lobe. Source: Whitted, "An
+ * improved illumination model for shaded display", Communications of the ACM 23(6), 1980.
  */
 public final class IdealConductor extends DiffuseSpecular {
 

@@ -24,9 +24,9 @@ final class Microfacets {
   }
 
   /**
-   * The density of mirrored directions, D(h) (n·h) / (4c), over max(ci, co). Sources: Walter et al., "Microfacet models for
-   * refraction through rough surfaces", EGSR 2007, equations 14 and 24; Neumann, Neumann and Szirmay-Kalos, "Compact metallic
-   * reflectance models", Eurographics 1999.
+   * The density of mirrored directions, D(h) (n·h) / (4c), over max(ci, co). Sources: Walter et al., "Microfacet models
+   * for refraction through rough surfaces", EGSR 2007, equations 14 and 24; Neumann, Neumann and Szirmay-Kalos,
+   * "Compact metallic reflectance models", Eurographics 1999.
    */
   double mirroredDensity(final SurfaceInteraction interaction, final double c) {
     final double ci = interaction.cosineIn(), co = interaction.cosineOut(), nh = (ci + co) / (2 * c);
@@ -43,7 +43,8 @@ final class Microfacets {
   }
 
   /** D of the direction h of a wi + b wo, given n·h and the squared length of that sum. */
-  double density(final SurfaceInteraction interaction, final double a, final double b, final double nh, final double length2) {
+  double density(final SurfaceInteraction interaction, final double a, final double b, final double nh,
+      final double length2) {
     return nh > 0 ? ndf.density(Math.min(1, nh), Math.min(1, interaction.cross2(a, b) / length2)) : 0;
   }
 

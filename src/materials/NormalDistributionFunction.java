@@ -9,9 +9,9 @@ import primitives.Vector3D;
  * How the normals of the microfacets of a rough surface are distributed about its own: D(θ) per steradian, θ being the angle
  * between the normal n and the microfacets' h. It is normalised, ∫ D(h) (n·h) dω = 1 over the hemisphere about n. Immutable.
  *
- * <p>The width β is the angle between n and h at which D has half of its peak (Blinn, "Models of light reflection for computer
- * synthesized pictures", SIGGRAPH 1977). For β less than 0.1 degrees the surface counts as polished: the lobe of a material
- * is its limit, ideal reflection.
+ * <p>The width β is the angle between n and h at which D has half of its peak (Blinn, "Models of light reflection for
+ * computer synthesized pictures", SIGGRAPH 1977). For β less than 0.1 degrees the surface counts as polished: the lobe
+ * of a material is its limit, ideal reflection.
  */
 public abstract class NormalDistributionFunction {
 

@@ -5,10 +5,10 @@ import static arguments.Arguments.within;
 import radiometry.ReflectanceRGB;
 
 /**
- * A rough matte surface, such as clay or the moon, flatter in brightness than Lambert's: f = k<sub>d</sub>/π · (A + B · max(0,
- * cos φ) · sin α · tan β), with α the larger and β the smaller of the angles of wi and wo to the normal, φ the angle between
- * their projections on the surface, A = 1 − σ² / (2 (σ² + 0.33)) and B = 0.45 σ² / (σ² + 0.09), σ in radians. For σ = 0 it is
- * Lambert's.
+ * A rough matte surface, such as clay or the moon, flatter in brightness than Lambert's: f = k<sub>d</sub>/π · (A + B ·
+ * max(0, cos φ) · sin α · tan β), with α the larger and β the smaller of the angles of wi and wo to the normal, φ the
+ * angle between their projections on the surface, A = 1 − σ² / (2 (σ² + 0.33)) and B = 0.45 σ² / (σ² + 0.09), σ in
+ * radians. For σ = 0 it is Lambert's.
  *
  * <p>Computed without angles: cos φ sin α tan β = (pi·po) / max(ci, co), where pi·po = wi·wo − ci co is the product of the
  * projections. Source: Oren and Nayar, "Generalization of Lambert's reflectance model", SIGGRAPH 1994, equation 30.

@@ -3,9 +3,9 @@ package materials;
 import radiometry.ReflectanceRGB;
 
 /**
- * A matte surface with a highlight that conserves energy: f = k<sub>d</sub>/π + k<sub>s</sub> · D(h) (n·h) / (4 c max(ci, co)),
- * with h the half vector of wi and wo, c = wo·h, ci = n·wi and co = n·wo. There is no Fresnel effect. With a polished
- * distribution the highlight is ideal reflection with the factor k<sub>s</sub>.
+ * A matte surface with a highlight that conserves energy: f = k<sub>d</sub>/π + k<sub>s</sub> · D(h) (n·h) / (4 c
+ * max(ci, co)), with h the half vector of wi and wo, c = wo·h, ci = n·wi and co = n·wo. There is no Fresnel effect.
+ * With a polished distribution the highlight is ideal reflection with the factor k<sub>s</sub>.
  *
  * <p>Sources: Lafortune and Willems, "Using the modified Phong reflectance model for physically based rendering", KU Leuven
  * CW197, 1994, whose lobe is expressed by h here; its density by Walter et al., "Microfacet models for refraction through

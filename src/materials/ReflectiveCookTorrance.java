@@ -3,15 +3,16 @@ package materials;
 import radiometry.ReflectanceRGB;
 
 /**
- * A rough surface of microfacets that mirror and shade each other: f = k<sub>d</sub>/π + F · D(h) G / (4 ci co), with
- * F = k<sub>s</sub> + (1 − k<sub>d</sub> − k<sub>s</sub>)(1 − c)⁵ and G = min(1, 2 (n·h) co / c, 2 (n·h) ci / c); h is the half
- * vector of wi and wo, c = wo·h, ci = n·wi and co = n·wo. What the diffuse part takes is not reflected twice. With a polished
- * distribution the lobe is ideal reflection with the factor F at c = co.
+ * A rough surface of microfacets that mirror and shade each other: f = k<sub>d</sub>/π + F · D(h) G / (4 ci co), with F
+ * = k<sub>s</sub> + (1 − k<sub>d</sub> − k<sub>s</sub>)(1 − c)⁵ and G = min(1, 2 (n·h) co / c, 2 (n·h) ci / c); h is
+ * the half vector of wi and wo, c = wo·h, ci = n·wi and co = n·wo. What the diffuse part takes is not reflected twice.
+ * With a polished distribution the lobe is ideal reflection with the factor F at c = co.
  *
- * <p>Sources: Cook and Torrance, "A reflectance model for computer graphics", ACM Transactions on Graphics 1(1), 1982, with 4
- * in place of π by Walter et al., "Microfacet models for refraction through rough surfaces", EGSR 2007, equation 20; F by
- * Schlick, "An inexpensive BRDF model for physically-based rendering", Eurographics 1994; that G conserves energy for every
- * distribution by Heitz, "Understanding the masking-shadowing function in microfacet-based BRDFs", JCGT 3(2), 2014.
+ * <p>Sources: Cook and Torrance, "A reflectance model for computer graphics", ACM Transactions on Graphics 1(1), 1982,
+ * with 4 in place of π by Walter et al., "Microfacet models for refraction through rough surfaces", EGSR 2007, equation
+ * 20; F by Schlick, "An inexpensive BRDF model for physically-based rendering", Eurographics 1994; that G conserves
+ * energy for every distribution by Heitz, "Understanding the masking-shadowing function in microfacet-based BRDFs",
+ * JCGT 3(2), 2014.
  */
 public final class ReflectiveCookTorrance extends DiffuseSpecular {
 

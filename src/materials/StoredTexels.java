@@ -7,8 +7,9 @@ import java.awt.image.DataBuffer;
 import java.awt.image.Raster;
 
 /**
- * The pixels of an image as they are stored. {@link BufferedImage#getRGB} takes a grey image for linear and shows a stored 20
- * as 79, and converts what has a colour profile; so samples are read from the raster, wherever there is one for each channel.
+ * The pixels of an image as they are stored. {@link BufferedImage#getRGB} takes a grey image for linear and shows a
+ * stored 20 as 79, and converts what has a colour profile; so samples are read from the raster, wherever there is one
+ * for each channel.
  */
 final class StoredTexels {
 

@@ -7,9 +7,9 @@ import radiometry.ReflectanceRGB;
  * were smooth. With ci = |n·wi| and co = n·wo:
  * <ul>
  * <li>same side, h = unit(wi + wo): f = k F(wo·h) D(h) G / (4 ci co);</li>
- * <li>other side, h = ±unit(η<sub>t</sub> wi + η<sub>o</sub> wo) with the sign that makes n·h &gt; 0: f = k · |wi·h||wo·h| /
- *     (ci co) · η<sub>o</sub>² (1 − F(wo·h)) D(h) G / (η<sub>t</sub> wi·h + η<sub>o</sub> wo·h)², only if wo·h &gt; 0 and wi·h
- *     &lt; 0;</li>
+ * <li>other side, h = ±unit(η<sub>t</sub> wi + η<sub>o</sub> wo) with the sign that makes n·h &gt; 0: f = k ·
+ *     |wi·h||wo·h| / (ci co) · η<sub>o</sub>² (1 − F(wo·h)) D(h) G / (η<sub>t</sub> wi·h + η<sub>o</sub> wo·h)², only
+ *     if wo·h &gt; 0 and wi·h &lt; 0;</li>
  * <li>G = min(1, 2 (n·h) co / |wo·h|, 2 (n·h) ci / |wi·h|).</li>
  * </ul>
  * A polished distribution leaves an {@link IdealDielectric}.

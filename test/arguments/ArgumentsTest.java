@@ -47,6 +47,14 @@ class ArgumentsTest {
     assertEquals(1, Arguments.positive("n", 1));
     assertEquals(Math.nextUp(0f), Arguments.between("x", 0, 180, Math.nextUp(0f)));
     assertEquals(Math.nextDown(180f), Arguments.between("x", 0, 180, Math.nextDown(180f)));
+    assertEquals(0f, Arguments.within("x", 0f, 90f, 0f));
+    assertEquals(90f, Arguments.within("x", 0f, 90f, 90f));
+    assertEquals(-20.0, Arguments.within("x", -20.0, 20.0, -20.0));
+    assertEquals(20.0, Arguments.within("x", -20.0, 20.0, 20.0));
+    assertEquals(0f, Arguments.notNegative("x", 0f));
+    assertEquals(Float.MAX_VALUE, Arguments.notNegative("x", Float.MAX_VALUE));
+    assertEquals(0.0, Arguments.notNegative("x", 0.0));
+    assertEquals(Double.MAX_VALUE, Arguments.notNegative("x", Double.MAX_VALUE));
     assertEquals(0, Arguments.index("i", 3, 0));
     assertEquals(2, Arguments.index("i", 3, 2));
   }
@@ -65,6 +73,22 @@ class ArgumentsTest {
         message(() -> Arguments.between("a", 0, 180, 0)));
     assertEquals("a must be between 0.0 and 180.0, both excluded, but it is NaN",
         message(() -> Arguments.between("a", 0, 180, Float.NaN)));
+    assertEquals("a must be between 0.0 and 90.0, both included, but it is 90.00001",
+        message(() -> Arguments.within("a", 0f, 90f, Math.nextUp(90f))));
+    assertEquals("a must be between 0.0 and 90.0, both included, but it is -1.4E-45",
+        message(() -> Arguments.within("a", 0f, 90f, -Float.MIN_VALUE)));
+    assertThrows(IllegalArgumentException.class, () -> Arguments.within("a", 0f, 90f, Float.NaN));
+    assertEquals("a must be between -20.0 and 20.0, both included, but it is 20.000000000000004",
+        message(() -> Arguments.within("a", -20.0, 20.0, Math.nextUp(20.0))));
+    assertThrows(IllegalArgumentException.class, () -> Arguments.within("a", -20.0, 20.0, Math.nextDown(-20.0)));
+    assertThrows(IllegalArgumentException.class, () -> Arguments.within("a", -20.0, 20.0, Double.NaN));
+    assertEquals("x must be at least 0 and finite, but it is -0.3", message(() -> Arguments.notNegative("x", -0.3f)));
+    assertEquals("x must be at least 0 and finite, but it is Infinity",
+        message(() -> Arguments.notNegative("x", Float.POSITIVE_INFINITY)));
+    assertThrows(IllegalArgumentException.class, () -> Arguments.notNegative("x", Float.NaN));
+    assertEquals("x must be at least 0 and finite, but it is -0.3", message(() -> Arguments.notNegative("x", -0.3)));
+    assertThrows(IllegalArgumentException.class, () -> Arguments.notNegative("x", Double.POSITIVE_INFINITY));
+    assertThrows(IllegalArgumentException.class, () -> Arguments.notNegative("x", Double.NaN));
     assertEquals("i must be between 0 and 2, but it is 3", message(() -> Arguments.index("i", 3, 3)));
     assertEquals("i must be between 0 and 2, but it is -1", message(() -> Arguments.index("i", 3, -1)));
     assertEquals("v must be a vector other than zero, but it is (0.0, -0.0, 0.0)",

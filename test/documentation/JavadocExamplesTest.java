@@ -20,8 +20,9 @@ class JavadocExamplesTest {
   private static final Pattern BLOCK = Pattern.compile("^ *\\* <pre>(.*?)</pre>", Pattern.DOTALL | Pattern.MULTILINE);
   private static final Pattern JAVA = Pattern.compile("\\s*\\{@code\\n(.*)\\}", Pattern.DOTALL);
   private static final Pattern CLASS = Pattern.compile("\\bclass (\\w+) ");
-  private static final String IMPORTS = Stream.of("java.awt.Color", "models.*", "primitives.*", "tracer.*", "view.*",
-      "upnatray.*").map(name -> "import " + name + ";\n").collect(Collectors.joining());
+  private static final String IMPORTS = Stream.of("java.awt.Color", "lights.*", "materials.*", "models.*", "primitives.*",
+      "radiometry.*", "tracer.*", "view.*", "upnatray.*").map(name -> "import " + name + ";\n")
+      .collect(Collectors.joining());
 
   @TempDir
   private Path folder;
