@@ -17,6 +17,9 @@ public final class Bvh {
   /** What a far side of a box is moved by: a subtraction and a multiplication by a rounded reciprocal on either side. */
   private static final double FAR = 1 + 0x1p-49;
 
+  /** A link that leads nowhere: no leaf has this number. */
+  private static final int NOTHING = Integer.MIN_VALUE;
+
   /** The tree of nothing. */
   static final Bvh EMPTY = new Bvh(0, new float[6], new float[0], new int[0], -1, 0);
 
@@ -31,6 +34,19 @@ public final class Bvh {
      * @return the distance beyond which nothing matters any more; boxes that lie farther are left out from now on
      */
     double visit(int first, int end);
+  }
+
+  /** Whoever owns the primitives of a tree, asked whether any of them is hit. */
+  public interface AnyLeaves {
+
+    /**
+     * Asks the primitives of a leaf.
+     *
+     * @param first place of the first one
+     * @param end place after the last one
+     * @return whether one of them is hit, which ends the search
+     */
+    boolean visit(int first, int end);
   }
 
   private final int size;
@@ -112,6 +128,50 @@ public final class Bvh {
         }
       }
     }
+  }
+
+  /**
+   * Whether any primitive is hit by one ray before a distance: visits leaves that the ray may meet until one says so.
+   *
+   * @param x first coordinate of the start
+   * @param y second coordinate of the start
+   * @param z third coordinate of the start
+   * @param dx first component of the direction, of unit length
+   * @param dy second component of the direction
+   * @param dz third component of the direction
+   * @param tmax the distance
+   * @param leaves whoever owns the primitives
+   * @return whether a leaf was hit; false for a ray of NaN
+   */
+  public boolean any(final double x, final double y, final double z, final double dx, final double dy, final double dz,
+      final double tmax, final AnyLeaves leaves) {
+    if (isEmpty() || Double.isNaN(x + y + z + dx + dy + dz)) {
+      return false;
+    }
+    final double ix = 1 / dx, iy = 1 / dy, iz = 1 / dz;
+    final int nearX = ix < 0 ? 3 : 0, nearY = iy < 0 ? 4 : 1, nearZ = iz < 0 ? 5 : 2;
+    final int[] stack = new int[depth + 1];
+    int top = 1;
+    stack[0] = root;
+    while (top > 0) {
+      int node = stack[--top];
+      while (node >= 0) {
+        final int a = node * 12;
+        final boolean crossesA = enter(a, nearX, nearY, nearZ, x, y, z, ix, iy, iz, tmax) < Double.POSITIVE_INFINITY;
+        final boolean crossesB = enter(a + 6, nearX, nearY, nearZ, x, y, z, ix, iy, iz, tmax) < Double.POSITIVE_INFINITY;
+        if (crossesA && crossesB) {
+          stack[top++] = links[2 * node + 1];
+        }
+        node = crossesA || crossesB ? links[2 * node + (crossesA ? 0 : 1)] : NOTHING;
+      }
+      if (node != NOTHING) {
+        final int first = ~node / MOST_IN_LEAF;
+        if (leaves.visit(first, first + ~node % MOST_IN_LEAF + 1)) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   /** Where a ray enters a box; infinity if it passes it by or enters too far away. Comparisons drop the NaN of 0 · ∞. */

@@ -25,13 +25,16 @@ import tracer.Ray;
  * <p>The ray is taken to the object's frame by the inverse, where its direction has some length k = |M⁻¹ v|; it is brought
  * to unit length, and the t found is divided by k. The normal goes back by the inverse transpose, as M itself would tilt it
  * (Turkowski, "Properties of surface-normal transformations", Graphics Gems, 1990). Distance, point and normal of a hit are
- * those of the scene; its object is the one that was met.
+ * those of the scene; its object is the one that was hit.
  */
 public class AffineTransformation extends Object3D {
 
   private static final Vector3f NO_SCALE = new Vector3f(1, 1, 1);
   private static final Vector3f NO_AXIS = new Vector3f(0, 1, 0);
   private static final Vector3f NO_SHIFT = new Vector3f();
+
+  /** Rounding of a matrix times a point, with a margin of 2 digits. */
+  private static final double ROUNDING = 0x1p-46;
 
   private final Object3D object;
   private final Vector3f scale;
@@ -42,6 +45,8 @@ public class AffineTransformation extends Object3D {
   private final double shiftX;
   private final double shiftY;
   private final double shiftZ;
+  /** The greatest sum of the absolute numbers in a row of the inverse. */
+  private final double norm;
 
   /**
    * Scale, rotation and translation.
@@ -65,6 +70,9 @@ public class AffineTransformation extends Object3D {
     this.toScene = product(rotation, factors(s));
     rotation.transpose();
     this.toObject = product(new Matrix3d(1.0 / s.x, 0, 0, 0, 1.0 / s.y, 0, 0, 0, 1.0 / s.z), rotation);
+    this.norm = Math.max(Math.abs(toObject.m00) + Math.abs(toObject.m01) + Math.abs(toObject.m02),
+        Math.max(Math.abs(toObject.m10) + Math.abs(toObject.m11) + Math.abs(toObject.m12),
+        Math.abs(toObject.m20) + Math.abs(toObject.m21) + Math.abs(toObject.m22)));
     this.scale = new Vector3f(s);
     this.axis = new Vector3f(axis);
   }
@@ -169,7 +177,7 @@ public class AffineTransformation extends Object3D {
         ray.directionX(), ray.directionY(), ray.directionZ());
     if (Double.isNaN(t)) {
       final Hit hit = askFor(object, toObject(ray));
-      return inScene(hit, hit.getT() / stretch(ray.directionX(), ray.directionY(), ray.directionZ()));
+      return inScene(hit, hit.distance() / stretch(ray.directionX(), ray.directionY(), ray.directionZ()));
     }
     return Hit.isDistance(t) ? hitAt(ray, t, 0) : Hit.NOHIT;
   }
@@ -216,6 +224,16 @@ public class AffineTransformation extends Object3D {
     return notNull("ray", ray) == Ray.NORAY ? Ray.NORAY : toObject(ray);
   }
 
+  @Override
+  public List<Object3D> parts() {
+    return List.of(object);
+  }
+
+  @Override
+  public Ray rayToParts(final Ray ray) {
+    return rayToObject(ray);
+  }
+
   /**
    * What a hit in the frame of the object is in the scene: distance, point and normal.
    *
@@ -227,27 +245,53 @@ public class AffineTransformation extends Object3D {
   public Hit hitToScene(final Ray ray, final Hit hit) {
     notNull("ray", ray);
     return notNull("hit", hit).hits()
-        ? inScene(hit, hit.getT() / stretch(ray.directionX(), ray.directionY(), ray.directionZ())) : Hit.NOHIT;
+        ? inScene(hit, hit.distance() / stretch(ray.directionX(), ray.directionY(), ray.directionZ())) : Hit.NOHIT;
   }
 
   private Ray toObject(final Ray ray) {
     final double dx = ray.directionX(), dy = ray.directionY(), dz = ray.directionZ(), k = stretch(dx, dy, dz);
     final double px = ray.startX() - shiftX, py = ray.startY() - shiftY, pz = ray.startZ() - shiftZ;
-    return Ray.exactly(firstOf(px, py, pz), secondOf(px, py, pz), thirdOf(px, py, pz),
-        firstOf(dx, dy, dz) / k, secondOf(dx, dy, dz) / k, thirdOf(dx, dy, dz) / k);
+    return ray.inFrame(firstOf(px, py, pz), secondOf(px, py, pz), thirdOf(px, py, pz),
+        firstOf(dx, dy, dz) / k, secondOf(dx, dy, dz) / k, thirdOf(dx, dy, dz) / k, k);
   }
 
   /** A hit of the object's frame at a distance of the scene; the normal goes by the inverse transpose. */
   private Hit inScene(final Hit hit, final double t) {
     final double x = hit.pointX(), y = hit.pointY(), z = hit.pointZ();
+    final double gx = hit.geometricX(), gy = hit.geometricY(), gz = hit.geometricZ();
+    final double px = toScene.m00 * x + toScene.m01 * y + toScene.m02 * z + shiftX,
+        py = toScene.m10 * x + toScene.m11 * y + toScene.m12 * z + shiftY,
+        pz = toScene.m20 * x + toScene.m21 * y + toScene.m22 * z + shiftZ;
+    final double ax = columnOf(0, gx, gy, gz), ay = columnOf(1, gx, gy, gz), az = columnOf(2, gx, gy, gz);
+    final double error = errorBound(hit.errorBound(), Math.abs(px) + Math.abs(py) + Math.abs(pz),
+        Math.sqrt(ax * ax + ay * ay + az * az));
+    final Hit flat = Hit.of(t, px, py, pz, ax, ay, az, error, hit.getObject());
     final double nx = hit.normalX(), ny = hit.normalY(), nz = hit.normalZ();
-    return Hit.of(t,
-        toScene.m00 * x + toScene.m01 * y + toScene.m02 * z + shiftX,
-        toScene.m10 * x + toScene.m11 * y + toScene.m12 * z + shiftY,
-        toScene.m20 * x + toScene.m21 * y + toScene.m22 * z + shiftZ,
-        toObject.m00 * nx + toObject.m10 * ny + toObject.m20 * nz,
-        toObject.m01 * nx + toObject.m11 * ny + toObject.m21 * nz,
-        toObject.m02 * nx + toObject.m12 * ny + toObject.m22 * nz, hit.getObject());
+    return gx == nx && gy == ny && gz == nz && Double.isNaN(hit.textureU()) ? flat
+        : flat.withShading(columnOf(0, nx, ny, nz), columnOf(1, nx, ny, nz), columnOf(2, nx, ny, nz),
+        hit.textureU(), hit.textureV());
+  }
+
+  /** A component of a normal by the inverse transpose. */
+  private double columnOf(final int column, final double x, final double y, final double z) {
+    return column == 0 ? toObject.m00 * x + toObject.m10 * y + toObject.m20 * z
+        : column == 1 ? toObject.m01 * x + toObject.m11 * y + toObject.m21 * z
+        : toObject.m02 * x + toObject.m12 * y + toObject.m22 * z;
+  }
+
+  /**
+   * Error bound in the scene of a point of the object: a step along the scene's normal is a step off the surface in the
+   * object's frame that is as much longer as the normal that the inverse transpose made is. There it must exceed the bound
+   * of the object and what rounding does to the start of a ray on its way to the object's frame.
+   */
+  private double errorBound(final double local, final double size, final double lengthOfNormal) {
+    return (local + ROUNDING * norm * (size + Math.abs(shiftX) + Math.abs(shiftY) + Math.abs(shiftZ))) / lengthOfNormal
+        + ROUNDING * size;
+  }
+
+  @Override
+  boolean intersectsBefore(final Ray ray, final double tmax) {
+    return object.intersectsBefore(toObject(ray), tmax * stretch(ray.directionX(), ray.directionY(), ray.directionZ()));
   }
 
   @Override
@@ -268,7 +312,7 @@ public class AffineTransformation extends Object3D {
     for (int row = rays.firstRow(); row <= rays.lastRow(); row++) {
       for (int i = row * RayTile.SIZE + rays.firstColumn(); i <= row * RayTile.SIZE + rays.lastColumn(); i++) {
         if (local.hits(i)) {
-          final double t = (float) local.distance(i) / stretch(rays.directionX(i), rays.directionY(i), rays.directionZ(i));
+          final double t = local.distance(i) / stretch(rays.directionX(i), rays.directionY(i), rays.directionZ(i));
           if (hits.isCloser(i, t, local.part(i))) {
             hits.take(i, t, this, local.painted(i), local.part(i));
           }

@@ -93,7 +93,8 @@ public class Box extends Object3D {
         onC = nc == 0 ? Slab.within(c, halfD) : nc * halfD;
     return Hit.of(t, f.x + (onA * f.ix + onB * f.jx + onC * f.kx), f.y + (onA * f.iy + onB * f.jy + onC * f.ky),
         f.z + (onA * f.iz + onB * f.jz + onC * f.kz), na * f.ix + nb * f.jx + nc * f.kx,
-        na * f.iy + nb * f.jy + nc * f.ky, na * f.iz + nb * f.jz + nc * f.kz, this);
+        na * f.iy + nb * f.jy + nc * f.ky, na * f.iz + nb * f.jz + nc * f.kz,
+        Rounding.bound(f.x, f.y, f.z, 2 * (halfW + halfH + halfD)), this);
   }
 
   @Override

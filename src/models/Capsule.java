@@ -82,7 +82,8 @@ public class Capsule extends Object3D {
     final double s = Math.max(-half, Math.min(half, u.along(lx, ly, lz)));
     final double nx = lx - s * u.ux, ny = ly - s * u.uy, nz = lz - s * u.uz;
     final double k = r / Math.sqrt(nx * nx + ny * ny + nz * nz);
-    return Hit.of(t, u.x + s * u.ux + k * nx, u.y + s * u.uy + k * ny, u.z + s * u.uz + k * nz, nx, ny, nz, this);
+    return Hit.of(t, u.x + s * u.ux + k * nx, u.y + s * u.uy + k * ny, u.z + s * u.uz + k * nz, nx, ny, nz,
+        Rounding.bound(u.x, u.y, u.z, 2 * (half + r)), this);
   }
 
   @Override

@@ -28,8 +28,8 @@ final class ClosestHit {
         ray.directionX(), ray.directionY(), ray.directionZ());
     if (Double.isNaN(distance)) {
       final Hit found = Object3D.askFor(asked, ray);
-      if (isCloser(found.getT(), itsOrder)) {
-        take(found.getT(), itsOrder, asked, found);
+      if (isCloser(found.distance(), itsOrder)) {
+        take(found.distance(), itsOrder, asked, found);
       }
     } else if (isCloser(distance, itsOrder)) {
       take(distance, itsOrder, asked, null);

@@ -80,7 +80,7 @@ public class Cylinder extends Object3D {
   private Hit at(final double t, final double s, final double x, final double y, final double z, final double k,
       final double nx, final double ny, final double nz) {
     return Hit.of(t, axis.x + (s * axis.ux + k * x), axis.y + (s * axis.uy + k * y), axis.z + (s * axis.uz + k * z),
-        nx, ny, nz, this);
+        nx, ny, nz, Rounding.bound(axis.x, axis.y, axis.z, 2 * (half + r)), this);
   }
 
   @Override

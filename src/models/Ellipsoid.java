@@ -151,7 +151,8 @@ public class Ellipsoid extends ProceduralObject3D {
     final double qa = ax * px + ay * py + az * pz, qb = bx * px + by * py + bz * pz, qc = cx * px + cy * py + cz * pz;
     final double s = 1 / Math.sqrt(qa * qa + qb * qb + qc * qc);
     return Hit.of(t, frame.x + s * px, frame.y + s * py, frame.z + s * pz,
-        qa * ax + qb * bx + qc * cx, qa * ay + qb * by + qc * cy, qa * az + qb * bz + qc * cz, this);
+        qa * ax + qb * bx + qc * cx, qa * ay + qb * by + qc * cy, qa * az + qb * bz + qc * cz,
+        Rounding.bound(frame.x, frame.y, frame.z, 2 * greatest) + CLOSE * CLOSE * greatest, this);
   }
 
   @Override

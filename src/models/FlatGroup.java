@@ -90,11 +90,9 @@ final class FlatGroup {
     while (!open.isEmpty()) {
       final Object3D whole = open.pop();
       if (seen.add(whole)) {
-        for (final Object3D part : Group3D.partsOf(whole)) {
+        for (final Object3D part : whole.parts()) {
           size++;
-          if (part instanceof Group3D || part instanceof AffineTransformation) {
-            open.push(part);
-          }
+          open.push(part);
         }
       }
     }
@@ -112,7 +110,7 @@ final class FlatGroup {
         continue;
       }
       if (object instanceof Group3D) {
-        final List<Object3D> parts = Group3D.partsOf(object);
+        final List<Object3D> parts = object.parts();
         for (int i = parts.size() - 1; i >= 0; i--) {
           open.push(parts.get(i));
         }
@@ -123,7 +121,7 @@ final class FlatGroup {
     return members;
   }
 
-  /** Box of an object, where one of somebody else's may answer null. */
+  /** Box of an object, where a user-written one may return null. */
   static BoundingBox boxOf(final Object3D object) {
     final BoundingBox box = object.getBoundingBox();
     return box == null ? BoundingBox.UNBOUNDED : box;
@@ -162,7 +160,24 @@ final class FlatGroup {
     return closest.hit();
   }
 
-  /** What the same question costs: the objects are asked in the same way, and each tells its cost. */
+  boolean intersectsBefore(final Ray ray, final double tmax) {
+    for (int i = 0; i < unbounded; i++) {
+      if (objects[i].intersectsBefore(ray, tmax)) {
+        return true;
+      }
+    }
+    return tree.any(ray.startX(), ray.startY(), ray.startZ(), ray.directionX(), ray.directionY(), ray.directionZ(), tmax,
+        (first, end) -> {
+          for (int i = unbounded + first; i < unbounded + end; i++) {
+            if (objects[i].intersectsBefore(ray, tmax)) {
+              return true;
+            }
+          }
+          return false;
+        });
+  }
+
+  /** What the same question costs: the objects are asked in the same way, and each reports its cost. */
   int cost(final Ray ray) {
     final ClosestHit closest = new ClosestHit(ray);
     final int[] cost = new int[1];

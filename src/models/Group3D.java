@@ -81,18 +81,10 @@ public class Group3D extends Object3D {
         return true;
       }
       if (seen.add(object)) {
-        partsOf(object).forEach(open::push);
+        object.parts().forEach(open::push);
       }
     }
     return false;
-  }
-
-  /** The objects of a group, the one of a transformation, none of any other. */
-  static List<Object3D> partsOf(final Object3D object) {
-    if (object instanceof Group3D) {
-      return ((Group3D) object).getObjects();
-    }
-    return object instanceof AffineTransformation ? List.of(((AffineTransformation) object).getObject()) : List.of();
   }
 
   /**
@@ -104,6 +96,11 @@ public class Group3D extends Object3D {
     synchronized (objects) {
       return List.copyOf(objects);
     }
+  }
+
+  @Override
+  public List<Object3D> parts() {
+    return getObjects();
   }
 
   private FlatGroup members() {
@@ -127,6 +124,23 @@ public class Group3D extends Object3D {
   @Override
   public Hit intersectionWith(final Ray ray) {
     return notNull("ray", ray) == Ray.NORAY ? Hit.NOHIT : members().closestHit(ray);
+  }
+
+  /**
+   * Whether a ray hits any object of the group before a distance. It is found sooner than which of them it hits first.
+   *
+   * @param ray the ray; {@link Ray#NORAY} hits nothing
+   * @param tmax the distance in scene units; a hit at this very distance does not count
+   * @return whether there is a hit
+   * @throws IllegalArgumentException if the ray is null
+   */
+  public boolean intersectAny(final Ray ray, final double tmax) {
+    return notNull("ray", ray) != Ray.NORAY && members().intersectsBefore(ray, tmax);
+  }
+
+  @Override
+  boolean intersectsBefore(final Ray ray, final double tmax) {
+    return members().intersectsBefore(ray, tmax);
   }
 
   @Override

@@ -35,6 +35,20 @@ final class MeshRay implements Bvh.Leaves {
     return cost[0];
   }
 
+  /** Whether a triangle is hit before a distance. */
+  static boolean hitsBefore(final Ray ray, final double tmax, final MeshTree mesh) {
+    final MeshRay query = new MeshRay(mesh, ray);
+    return mesh.any(ray, tmax, (first, end) -> {
+      for (int place = first; place < end; place++) {
+        final double distance = query.distanceTo(place);
+        if (distance > 0 && distance < tmax) {
+          return true;
+        }
+      }
+      return false;
+    });
+  }
+
   boolean hits() {
     return facet >= 0;
   }
@@ -55,14 +69,18 @@ final class MeshRay implements Bvh.Leaves {
     return t * ClosestHit.SAME;
   }
 
-  private void test(final int place) {
+  private double distanceTo(final int place) {
     final double x = ray.startX(), y = ray.startY(), z = ray.startZ();
     final int a = mesh.vertex(place, 0), b = mesh.vertex(place, 1), c = mesh.vertex(place, 2);
-    final double distance = WatertightTest.distance(
+    return WatertightTest.distance(
         mesh.coordinate(a) - x, mesh.coordinate(a + 1) - y, mesh.coordinate(a + 2) - z,
         mesh.coordinate(b) - x, mesh.coordinate(b + 1) - y, mesh.coordinate(b + 2) - z,
         mesh.coordinate(c) - x, mesh.coordinate(c + 1) - y, mesh.coordinate(c + 2) - z,
         ray.directionX(), ray.directionY(), ray.directionZ(), error);
+  }
+
+  private void test(final int place) {
+    final double distance = distanceTo(place);
     final float f = (float) distance, best = (float) t;
     if (f > 0 && (f < best || f == best && mesh.facet(place) < facet)) {
       t = distance;

@@ -93,6 +93,11 @@ final class MeshTree {
     tree.closest(ray.startX(), ray.startY(), ray.startZ(), ray.directionX(), ray.directionY(), ray.directionZ(), leaves);
   }
 
+  boolean any(final Ray ray, final double tmax, final Bvh.AnyLeaves leaves) {
+    return tree.any(ray.startX(), ray.startY(), ray.startZ(), ray.directionX(), ray.directionY(), ray.directionZ(), tmax,
+        leaves);
+  }
+
   void closest(final TileFrustum frustum, final Bvh.Leaves leaves) {
     tree.closest(frustum, leaves);
   }

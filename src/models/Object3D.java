@@ -5,6 +5,7 @@ import static arguments.Arguments.wrongState;
 
 import java.awt.Color;
 import java.util.List;
+import java.util.stream.Stream;
 
 import acceleration.RayTile;
 import primitives.BoundingBox;
@@ -31,6 +32,22 @@ import tracer.Ray;
  * of a tile at once. Each has a default that calls {@link #intersectionWith}.
  */
 public abstract class Object3D {
+
+  /** What a limit is multiplied by where distances have only floats behind them: what is at the limit is not before it. */
+  private static final double FLOAT_LIMIT = 1 - 0x1p-21;
+
+  /** Of each class whether it has a {@link #getColorAt} of its own, unless {@link #isTextured} of the same class decides. */
+  private static final ClassValue<Boolean> PATTERNED = new ClassValue<>() {
+    @Override
+    protected Boolean computeValue(final Class<?> type) {
+      try {
+        final Class<?> declaring = type.getMethod("getColorAt", Hit.class).getDeclaringClass();
+        return Stream.of(declaring.getDeclaredMethods()).noneMatch(method -> "isTextured".equals(method.getName()));
+      } catch (final NoSuchMethodException impossible) {
+        throw new AssertionError(impossible);
+      }
+    }
+  };
 
   private final Color color;
 
@@ -77,6 +94,16 @@ public abstract class Object3D {
   public abstract Hit intersectionWith(Ray ray);
 
   /**
+   * The colour to be painted at a hit of this object. A pattern of one's own overrides it.
+   *
+   * @param hit the hit, whose object is this one
+   * @return the colour; by default {@link #getColor()}
+   */
+  public Color getColorAt(final Hit hit) {
+    return getColor();
+  }
+
+  /**
    * What a constructor of its class makes the same object of: points, vectors, numbers, objects and the colour, in the order
    * of the parameters. A class that answers this can have its hits written down as tests.
    *
@@ -84,6 +111,27 @@ public abstract class Object3D {
    */
   public List<Object> constructorArguments() {
     return List.of();
+  }
+
+  /**
+   * The objects that this one is made of, each of which can be asked by itself: those of a group, the one that is
+   * transformed.
+   *
+   * @return a list that does not change; empty, as by default, for a shape
+   */
+  public List<Object3D> parts() {
+    return List.of();
+  }
+
+  /**
+   * A ray as the {@link #parts()} see it.
+   *
+   * @param ray a ray in the frame of this object
+   * @return the ray in the frame of the parts, its direction of unit length there; by default the same
+   * @throws IllegalArgumentException if the ray is null
+   */
+  public Ray rayToParts(final Ray ray) {
+    return notNull("ray", ray);
   }
 
   /**
@@ -122,8 +170,29 @@ public abstract class Object3D {
     return false;
   }
 
+  /**
+   * Whether a ray hits the object before a distance: what shadows ask.
+   *
+   * @param tmax the distance; a hit at this very distance does not count
+   */
+  boolean intersectsBefore(final Ray ray, final double tmax) {
+    final double t = distance(ray.startX(), ray.startY(), ray.startZ(),
+        ray.directionX(), ray.directionY(), ray.directionZ());
+    return Double.isNaN(t) ? askFor(this, ray).distance() < tmax * FLOAT_LIMIT : t > 0 && t < tmax;
+  }
+
   /** Is told that the object has become part of another. */
   void markContained() {
+  }
+
+  /** Whether the colour of this object depends on where it is hit; a class may say so by overriding {@link #getColorAt}. */
+  boolean isTextured() {
+    return false;
+  }
+
+  /** Whether a class has a {@link #getColorAt} of its own. */
+  static boolean isPatterned(final Class<?> type) {
+    return PATTERNED.get(type);
   }
 
   /** Colour of a part, as sRGB with alpha. */
@@ -136,9 +205,17 @@ public abstract class Object3D {
     return 1;
   }
 
-  /** What an object answers to a ray, where an object of somebody else's may answer null. */
+  /**
+   * What an object returns for a ray, where a user-written object may return null. If it is the object that the ray leaves,
+   * a hit on the spot does not count: what is behind it does.
+   */
   static Hit askFor(final Object3D object, final Ray ray) {
-    final Hit hit = object.intersectionWith(ray);
+    final Hit hit = notNullHit(object, object.intersectionWith(ray));
+    return ray.isBlindTo(hit)
+        ? notNullHit(object, object.intersectionWith(ray.from(ray.blindness()))).seenFromBehind(ray.blindness()) : hit;
+  }
+
+  private static Hit notNullHit(final Object3D object, final Hit hit) {
     if (hit == null) {
       throw wrongState("nullHit", object.getClass().getName());
     }

@@ -61,8 +61,10 @@ public class Plane extends Object3D {
 
   @Override
   Hit hitAt(final Ray ray, final double t, final int part) {
-    return Hit.of(t, ray.startX() + t * ray.directionX(), ray.startY() + t * ray.directionY(),
-        ray.startZ() + t * ray.directionZ(), nx, ny, nz, this);
+    final double sx = ray.startX(), sy = ray.startY(), sz = ray.startZ();
+    final double error = Rounding.bound(sx, sy, sz, t + Math.abs(x) + Math.abs(y) + Math.abs(z));
+    return Hit.of(t, sx + t * ray.directionX(), sy + t * ray.directionY(), sz + t * ray.directionZ(),
+        nx, ny, nz, error, this);
   }
 
   @Override

@@ -67,7 +67,7 @@ public class Sphere extends Object3D {
     final double nx = ray.startX() + t * ray.directionX() - x, ny = ray.startY() + t * ray.directionY() - y,
         nz = ray.startZ() + t * ray.directionZ() - z;
     final double s = r / Math.sqrt(nx * nx + ny * ny + nz * nz);
-    return Hit.of(t, x + s * nx, y + s * ny, z + s * nz, nx, ny, nz, this);
+    return Hit.of(t, x + s * nx, y + s * ny, z + s * nz, nx, ny, nz, Rounding.bound(x, y, z, 2 * r), this);
   }
 
   @Override

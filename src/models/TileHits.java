@@ -8,7 +8,7 @@ import tracer.Ray;
 
 /**
  * The closest hits found so far for the rays of a tile: for each its distance, the object that answered and what is to be
- * painted. Nothing is allocated for a hit unless {@link #hit} is asked for it. Not safe for use by several threads.
+ * painted. Nothing is allocated for a hit unless {@link #hit} is called. Not safe for use by several threads.
  *
  * <p>Distances are compared as floats, as {@link Hit#isCloser} compares them, and of two at the same distance the
  * one of the object first added to the group wins, whatever the order in which they are found: so a picture does not depend
@@ -35,6 +35,8 @@ public final class TileHits {
   private int changedRows;
   private double farthest;
 
+  private Class<?> lastClass;
+  private boolean lastIsPatterned;
   private int currentOrder;
   private TileHits nested;
 
@@ -99,8 +101,8 @@ public final class TileHits {
   }
 
   private void offer(final int i, final Hit found, final Object3D object) {
-    if (isCloser(i, found.getT(), 0)) {
-      take(i, found.getT(), object, found.getObject(), 0);
+    if (isCloser(i, found.distance(), 0)) {
+      take(i, found.distance(), object, found.getObject(), 0);
       hit[i] = found;
     }
   }
@@ -174,7 +176,20 @@ public final class TileHits {
    * @return sRGB with alpha
    */
   public int argb(final int i) {
+    if (isPatterned(painted[i])) {
+      final Hit found = hit(i);
+      return found.getObject().getColorAt(found).getRGB();
+    }
     return painted[i].argb(part[i]);
+  }
+
+  /** Remembers the last class: neighbours mostly show the same. */
+  private boolean isPatterned(final Object3D object) {
+    if (object.getClass() != lastClass) {
+      lastClass = object.getClass();
+      lastIsPatterned = Object3D.isPatterned(lastClass);
+    }
+    return lastIsPatterned || object.isTextured();
   }
 
   /**

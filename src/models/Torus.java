@@ -133,7 +133,8 @@ public class Torus extends ProceduralObject3D {
     final double qx = px - h * axis.ux, qy = py - h * axis.uy, qz = pz - h * axis.uz;
     final double rho = Math.sqrt(qx * qx + qy * qy + qz * qz), k = rho > 0 ? R / rho : 0;
     final double nx = px - k * qx, ny = py - k * qy, nz = pz - k * qz, s = r / Math.sqrt(nx * nx + ny * ny + nz * nz);
-    return Hit.of(t, axis.x + k * qx + s * nx, axis.y + k * qy + s * ny, axis.z + k * qz + s * nz, nx, ny, nz, this);
+    return Hit.of(t, axis.x + k * qx + s * nx, axis.y + k * qy + s * ny, axis.z + k * qz + s * nz, nx, ny, nz,
+        Rounding.bound(axis.x, axis.y, axis.z, 2 * outer), this);
   }
 
   @Override

@@ -112,9 +112,18 @@ public class Triangle extends Object3D {
 
   @Override
   Hit hitAt(final Ray ray, final double t, final int part) {
+    final double nx = normalX(), ny = normalY(), nz = normalZ();
     return Hit.of(t, within(ax, bx, cx, ray.startX() + t * ray.directionX()),
         within(ay, by, cy, ray.startY() + t * ray.directionY()), within(az, bz, cz, ray.startZ() + t * ray.directionZ()),
-        normalX(), normalY(), normalZ(), this);
+        nx, ny, nz, errorBound(ray, t, Math.sqrt(nx * nx + ny * ny + nz * nz)), this);
+  }
+
+  /** The normal of a thin triangle is less exact than its edges, by as much as the product of two is longer. */
+  private double errorBound(final Ray ray, final double t, final double doubleArea) {
+    final double px = (double) bx - ax, py = (double) by - ay, pz = (double) bz - az;
+    final double qx = (double) cx - ax, qy = (double) cy - ay, qz = (double) cz - az;
+    final double edges = Math.sqrt((px * px + py * py + pz * pz) * (qx * qx + qy * qy + qz * qz));
+    return Rounding.bound(ray.startX(), ray.startY(), ray.startZ(), t + Math.sqrt(edges)) * edges / doubleArea;
   }
 
   /** A coordinate of a hit, which rounding must not take out of the box of the vertices. */

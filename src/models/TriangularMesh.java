@@ -106,6 +106,11 @@ public class TriangularMesh extends Object3D {
   }
 
   @Override
+  boolean intersectsBefore(final Ray ray, final double tmax) {
+    return MeshRay.hitsBefore(ray, tmax, tree);
+  }
+
+  @Override
   int cost(final Ray ray) {
     return MeshRay.cost(ray, tree);
   }

@@ -2,10 +2,12 @@ package rendering;
 
 import static arguments.Arguments.notNull;
 
+import java.util.List;
+
 import arguments.Messages;
-import models.AffineTransformation;
 import models.Group3D;
 import models.Object3D;
+import tracer.Hit;
 import tracer.Ray;
 import tracer.RayGenerator;
 
@@ -29,7 +31,7 @@ final class FailureLocator {
     return explanation == null ? failure : explanation;
   }
 
-  /** What to throw for a full stack: an object that calls itself without end, or else objects within too many others. */
+  /** What to throw for a full stack: an object that calls itself for ever, or else objects within too many others. */
   IllegalStateException explain(final StackOverflowError failure, final int m, final int n, final int width,
       final int height) {
     IllegalStateException explanation = null;
@@ -68,17 +70,15 @@ final class FailureLocator {
 
   /** The method that fails for a ray, of an object or of one within it; null if there is none. */
   private static String failing(final Object3D object, final Ray ray) {
-    if (object instanceof Group3D) {
-      for (final Object3D part : ((Group3D) object).getObjects()) {
-        final String failing = failing(part, ray);
-        if (failing != null) {
-          return failing;
-        }
+    final List<Object3D> parts = object.parts();
+    for (final Object3D part : parts) {
+      final String failing = failing(part, object.rayToParts(ray));
+      if (failing != null) {
+        return failing;
       }
-      return null;
     }
-    if (object instanceof AffineTransformation) {
-      return failing(((AffineTransformation) object).getObject(), ((AffineTransformation) object).rayToObject(ray));
+    if (!parts.isEmpty() || object instanceof Group3D) {
+      return null;
     }
     final String name = object.getClass().getName();
     if (fails(object::getBoundingBox)) {
@@ -87,9 +87,15 @@ final class FailureLocator {
     if (fails(() -> notNull("hit", object.intersectionWith(ray)))) {
       return name + ".intersectionWith";
     }
-    final Object3D painted = object.intersectionWith(ray).getObject();
-    return painted != null && fails(() -> notNull("color", painted.getColor())) ? painted.getClass().getName() + ".getColor"
-        : null;
+    final Hit hit = object.intersectionWith(ray);
+    final Object3D painted = hit.getObject();
+    if (painted == null) {
+      return null;
+    }
+    if (fails(() -> notNull("color", painted.getColor()))) {
+      return painted.getClass().getName() + ".getColor";
+    }
+    return fails(() -> notNull("color", painted.getColorAt(hit))) ? painted.getClass().getName() + ".getColorAt" : null;
   }
 
   private static boolean fails(final Runnable call) {

@@ -9,18 +9,20 @@ import tracer.Ray;
 @FunctionalInterface
 public interface Shading {
 
-  /** The plain colour of the object, as the assignment asks. */
-  Shading PLAIN = (ray, hit) -> hit.getObject().getColor().getRGB();
+  /** The plain colour of the object at the hit, as the assignment asks. */
+  Shading PLAIN = (ray, hit) -> hit.getObject().getColorAt(hit).getRGB();
 
   /**
-   * The colour of the object by how directly the surface faces the ray: its sRGB values times the cosine between the ray
-   * and the normal on the ray's side. Alpha stays.
+   * The colour of the object at the hit by how directly the surface faces the ray: its sRGB values times the cosine between
+   * the ray and the normal that shades, on the side of the geometric normal from which the ray comes; 0 where that normal is
+   * turned away. Alpha stays.
    */
   Shading FACING = (ray, hit) -> {
-    final double cosine = Math.abs(hit.normalX() * ray.directionX() + hit.normalY() * ray.directionY()
-        + hit.normalZ() * ray.directionZ());
-    final double k = Math.min(1, cosine);
-    final Color color = hit.getObject().getColor();
+    final double dx = ray.directionX(), dy = ray.directionY(), dz = ray.directionZ();
+    final double cosine = hit.normalX() * dx + hit.normalY() * dy + hit.normalZ() * dz;
+    final boolean outside = hit.geometricX() * dx + hit.geometricY() * dy + hit.geometricZ() * dz <= 0;
+    final double k = Math.max(0, Math.min(1, outside ? -cosine : cosine));
+    final Color color = hit.getObject().getColorAt(hit);
     return color.getAlpha() << 24 | (int) (k * color.getRed() + 0.5) << 16 | (int) (k * color.getGreen() + 0.5) << 8
         | (int) (k * color.getBlue() + 0.5);
   };

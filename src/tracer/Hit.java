@@ -5,33 +5,55 @@ import static arguments.Arguments.finite;
 import static arguments.Arguments.notNull;
 import static arguments.Arguments.positive;
 
+import javax.vecmath.TexCoord2f;
+
 import models.Object3D;
 import primitives.Point3D;
 import primitives.Vector3D;
 
 /**
- * What is known of the intersection of a ray with an object: the parameter t, the point, the normal to the
- * surface there, and the object.
+ * What is known of the intersection of a ray with an object: the parameter t, the point, the normals to the surface
+ * there, texture coordinates, and the object.
  *
- * <p>Immutable. The normal is of unit length and belongs to the surface: it points out of a closed object and is
- * never turned towards the ray.
+ * <p>Immutable. Normals are of unit length and belong to the surface: they point out of a closed object and are never
+ * turned towards the ray. There are two of them. The geometric normal is that of the surface itself; what is outside, and
+ * where rays start, depends on it. The normal that shades differs from it on smooth meshes only; it is never turned away
+ * from the geometric one.
+ *
+ * <p>A hit also makes the rays that leave its point ({@link #leave}): they start off the surface by the error bound of the
+ * point, so that they do not hit the surface that they leave.
  */
 public final class Hit {
 
   /** No intersection, as if it happened at an infinite distance. It has neither point nor normal nor object. */
   public static final Hit NOHIT = new Hit();
 
-  private final float t;
+  /** Shading normals shorter than this, once they are cut, have no direction left but that of the geometric normal. */
+  private static final double SHORTEST = 1e-6;
+
+  /** Greatest distance by which a ray starts off the surface, relative to the numbers of the hit. */
+  private static final double GREATEST_OFFSET = 1e-6;
+
+  /** Relative distance within which a ray does not hit the object that it leaves if its hits are only floats. */
+  private static final double BLIND = 1e-4;
+
+  private final double t;
   private final double x;
   private final double y;
   private final double z;
   private final double normalX;
   private final double normalY;
   private final double normalZ;
+  private final double geometricX;
+  private final double geometricY;
+  private final double geometricZ;
+  private final double u;
+  private final double v;
+  private final double error;
   private final Object3D object;
 
   /**
-   * An intersection.
+   * An intersection with a surface that is shaded as it is.
    *
    * @param t distance from the start of the ray in scene units, &gt; 0 and finite
    * @param P point of the intersection
@@ -41,11 +63,31 @@ public final class Hit {
    *     not finite, if the normal is zero, or if the object is null
    */
   public Hit(final float t, final Point3D P, final Vector3D n, final Object3D object) {
-    this(positive("t", t), finite("P", P).x, P.y, P.z, direction("n", n).x, n.y, n.z, notNull("object", object));
+    this(t, P, n, n, null, object);
   }
 
-  private Hit(final float t, final double x, final double y, final double z,
-      final double nx, final double ny, final double nz, final Object3D object) {
+  /**
+   * An intersection with a surface that is shaded by a normal of its own, or that has a texture. The normal that shades is
+   * cut to the front: where n·g &lt; 0 it loses its part along the geometric normal g.
+   *
+   * @param t distance from the start of the ray in scene units, &gt; 0 and finite
+   * @param P point of the intersection
+   * @param n normal that shades, of any length but 0
+   * @param geometric normal to the surface at that point, of any length but 0
+   * @param uv texture coordinates; null if there are none
+   * @param object object whose colour is to be painted
+   * @throws IllegalArgumentException if t is not positive or not finite, if the point, a normal, or the texture coordinates
+   *     are not finite, if the point, a normal, or the object is null, or if a normal is zero
+   */
+  public Hit(final float t, final Point3D P, final Vector3D n, final Vector3D geometric, final TexCoord2f uv,
+      final Object3D object) {
+    this(new Hit(positive("t", t), finite("P", P).x, P.y, P.z, direction("geometric", geometric).x, geometric.y, geometric.z,
+        Double.POSITIVE_INFINITY, notNull("object", object)), direction("n", n).x, n.y, n.z,
+        uv == null ? Double.NaN : finite("uv.x", uv.x), uv == null ? Double.NaN : finite("uv.y", uv.y));
+  }
+
+  private Hit(final double t, final double x, final double y, final double z,
+      final double nx, final double ny, final double nz, final double error, final Object3D object) {
     final double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
     this.t = t;
     this.x = x;
@@ -54,9 +96,57 @@ public final class Hit {
     this.normalX = nx / length;
     this.normalY = ny / length;
     this.normalZ = nz / length;
+    this.geometricX = normalX;
+    this.geometricY = normalY;
+    this.geometricZ = normalZ;
+    this.u = Double.NaN;
+    this.v = Double.NaN;
+    this.error = error;
     this.object = object;
     assert object == null || isDistance(t) : t;
     assert object == null || isUnit(normalX, normalY, normalZ) : "no unit normal: " + nx + ", " + ny + ", " + nz;
+  }
+
+  /** The same hit at another distance. */
+  private Hit(final Hit hit, final double t) {
+    this.t = t;
+    this.x = hit.x;
+    this.y = hit.y;
+    this.z = hit.z;
+    this.normalX = hit.normalX;
+    this.normalY = hit.normalY;
+    this.normalZ = hit.normalZ;
+    this.geometricX = hit.geometricX;
+    this.geometricY = hit.geometricY;
+    this.geometricZ = hit.geometricZ;
+    this.u = hit.u;
+    this.v = hit.v;
+    this.error = hit.error;
+    this.object = hit.object;
+  }
+
+  /** The same hit with another normal that shades, which is cut to the front, and texture coordinates. */
+  private Hit(final Hit hit, final double nx, final double ny, final double nz, final double u, final double v) {
+    final double gx = hit.geometricX, gy = hit.geometricY, gz = hit.geometricZ;
+    final double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+    final double behind = Math.min(0, (nx * gx + ny * gy + nz * gz) / length);
+    final double cx = nx / length - behind * gx, cy = ny / length - behind * gy, cz = nz / length - behind * gz;
+    final double cut = Math.sqrt(cx * cx + cy * cy + cz * cz);
+    final boolean cutAway = !(cut >= SHORTEST);
+    this.t = hit.t;
+    this.x = hit.x;
+    this.y = hit.y;
+    this.z = hit.z;
+    this.normalX = cutAway ? gx : cx / cut;
+    this.normalY = cutAway ? gy : cy / cut;
+    this.normalZ = cutAway ? gz : cz / cut;
+    this.geometricX = gx;
+    this.geometricY = gy;
+    this.geometricZ = gz;
+    this.u = u;
+    this.v = v;
+    this.error = hit.error;
+    this.object = hit.object;
   }
 
   private static boolean isUnit(final double x, final double y, final double z) {
@@ -64,7 +154,27 @@ public final class Hit {
   }
 
   private Hit() {
-    this(Float.POSITIVE_INFINITY, Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN, null);
+    this(Double.POSITIVE_INFINITY, Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN,
+        Double.POSITIVE_INFINITY, null);
+  }
+
+  /**
+   * The intersection that a shape has computed, of unknown accuracy: see {@link #of(double, double, double, double, double,
+   * double, double, double, Object3D)}.
+   *
+   * @param t distance from the start of the ray
+   * @param x first coordinate of the point
+   * @param y second coordinate of the point
+   * @param z third coordinate of the point
+   * @param nx first component of the normal, of any length
+   * @param ny second component of the normal
+   * @param nz third component of the normal
+   * @param object object whose colour is to be painted
+   * @return the intersection, or {@link #NOHIT}
+   */
+  public static Hit of(final double t, final double x, final double y, final double z,
+      final double nx, final double ny, final double nz, final Object3D object) {
+    return of(t, x, y, z, nx, ny, nz, Double.POSITIVE_INFINITY, object);
   }
 
   /**
@@ -78,16 +188,41 @@ public final class Hit {
    * @param nx first component of the normal, of any length
    * @param ny second component of the normal
    * @param nz third component of the normal
+   * @param error see {@link #errorBound()}
    * @param object object whose colour is to be painted
    * @return the intersection, or {@link #NOHIT} if t is not a positive float, the point not finite in floats, or
    *     the normal zero or not finite
    */
   public static Hit of(final double t, final double x, final double y, final double z,
-      final double nx, final double ny, final double nz, final Object3D object) {
+      final double nx, final double ny, final double nz, final double error, final Object3D object) {
     final double length2 = nx * nx + ny * ny + nz * nz;
     final boolean sound = isDistance(t) && Float.isFinite((float) x) && Float.isFinite((float) y)
         && Float.isFinite((float) z) && length2 > 0 && length2 < Double.POSITIVE_INFINITY;
-    return sound ? new Hit((float) t, x, y, z, nx, ny, nz, object) : NOHIT;
+    return sound ? new Hit(t, x, y, z, nx, ny, nz, error, object) : NOHIT;
+  }
+
+  /**
+   * This hit with a normal that shades, which is cut to the front, and with texture coordinates.
+   *
+   * @param nx first component of the normal, of any length but 0
+   * @param ny second component of the normal
+   * @param nz third component of the normal
+   * @param textureU first texture coordinate; NaN if there are none
+   * @param textureV second texture coordinate; NaN if there are none
+   * @return the new hit; its geometric normal is the one of this hit
+   */
+  public Hit withShading(final double nx, final double ny, final double nz, final double textureU, final double textureV) {
+    return hits() ? new Hit(this, nx, ny, nz, textureU, textureV) : NOHIT;
+  }
+
+  /**
+   * The same hit as seen from a ray that starts farther back.
+   *
+   * @param distance how much farther back, in scene units
+   * @return the hit with that much added to t; {@link #NOHIT} if no float holds it
+   */
+  public Hit seenFromBehind(final double distance) {
+    return isDistance(t + distance) ? new Hit(this, t + distance) : NOHIT;
   }
 
   /**
@@ -117,7 +252,7 @@ public final class Hit {
    * @throws IllegalArgumentException if hit is null
    */
   public boolean isCloser(final Hit hit) {
-    return t < notNull("hit", hit).t;
+    return getT() < notNull("hit", hit).getT();
   }
 
   /**
@@ -126,6 +261,15 @@ public final class Hit {
    * @return distance from the start of the ray in scene units; infinity for {@link #NOHIT}
    */
   public float getT() {
+    return (float) t;
+  }
+
+  /**
+   * The parameter t, in double.
+   *
+   * @return distance from the start of the ray in scene units; infinity for {@link #NOHIT}
+   */
+  public double distance() {
     return t;
   }
 
@@ -139,12 +283,30 @@ public final class Hit {
   }
 
   /**
-   * The normal to the surface at the point of the intersection.
+   * The normal that shades at the point of the intersection.
    *
    * @return a new vector of unit length; null for {@link #NOHIT}
    */
   public Vector3D getNormal() {
     return hits() ? new Vector3D((float) normalX, (float) normalY, (float) normalZ) : null;
+  }
+
+  /**
+   * The normal to the surface itself. Except on smooth meshes it is {@link #getNormal()}.
+   *
+   * @return a new vector of unit length; null for {@link #NOHIT}
+   */
+  public Vector3D getGeometricNormal() {
+    return hits() ? new Vector3D((float) geometricX, (float) geometricY, (float) geometricZ) : null;
+  }
+
+  /**
+   * The texture coordinates.
+   *
+   * @return a new pair, u to the right and v upwards; null if there are none
+   */
+  public TexCoord2f getTexCoord() {
+    return Double.isNaN(u + v) ? null : new TexCoord2f((float) u, (float) v);
   }
 
   /**
@@ -210,8 +372,87 @@ public final class Hit {
     return normalZ;
   }
 
+  /**
+   * First component of the geometric normal, in double.
+   *
+   * @return the number
+   */
+  public double geometricX() {
+    return geometricX;
+  }
+
+  /**
+   * Second component of the geometric normal, in double.
+   *
+   * @return the number
+   */
+  public double geometricY() {
+    return geometricY;
+  }
+
+  /**
+   * Third component of the geometric normal, in double.
+   *
+   * @return the number
+   */
+  public double geometricZ() {
+    return geometricZ;
+  }
+
+  /**
+   * First texture coordinate, in double.
+   *
+   * @return u; NaN if there is none
+   */
+  public double textureU() {
+    return u;
+  }
+
+  /**
+   * Second texture coordinate, in double.
+   *
+   * @return v; NaN if there is none
+   */
+  public double textureV() {
+    return v;
+  }
+
+  /**
+   * How far the point can be off the surface, with a margin: a ray that starts this far from the point along the geometric
+   * normal starts on that side of the surface, also as the object's own arithmetic sees it.
+   *
+   * @return a distance in scene units; infinity if the accuracy is unknown, as for hits made by a public constructor, which
+   *     have only floats behind them
+   */
+  public double errorBound() {
+    return error;
+  }
+
+  /** The largest of the numbers that a hit was computed with: the coordinates of the point and the distance. */
+  private double scale() {
+    return Math.max(Math.max(Math.abs(x), Math.abs(y)), Math.max(Math.abs(z), t));
+  }
+
+  /**
+   * The ray that leaves the point of this hit. It starts off the surface, on the side it goes to, by the error bound and at
+   * most 10<sup>−6</sup> of the largest number of the hit. If the accuracy of the hit is unknown, the ray does not hit the
+   * object that it leaves within 10<sup>−4</sup> of that number: see {@link Ray#isBlindTo}.
+   *
+   * @param outside whether it starts on the outer side, where the geometric normal points
+   * @param dx first component of its direction, of unit length
+   * @param dy second component of the direction
+   * @param dz third component of the direction
+   * @return the ray, in double
+   */
+  public Ray leave(final boolean outside, final double dx, final double dy, final double dz) {
+    final double offset = Math.min(error, GREATEST_OFFSET * scale()), k = outside ? offset : -offset;
+    final double startX = x + k * geometricX, startY = y + k * geometricY, startZ = z + k * geometricZ;
+    return error < Double.POSITIVE_INFINITY ? Ray.exactly(startX, startY, startZ, dx, dy, dz)
+        : Ray.leaving(startX, startY, startZ, dx, dy, dz, object, BLIND * scale());
+  }
+
   @Override
   public String toString() {
-    return hits() ? "Hit(t=" + t + ", P=" + getPoint() + ", n=" + getNormal() + ", " + object + ")" : "Hit.NOHIT";
+    return hits() ? "Hit(t=" + getT() + ", P=" + getPoint() + ", n=" + getNormal() + ", " + object + ")" : "Hit.NOHIT";
   }
 }

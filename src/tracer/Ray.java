@@ -5,6 +5,7 @@ import static arguments.Arguments.finite;
 import static arguments.Arguments.wrong;
 
 import acceleration.RayTile;
+import models.Object3D;
 import primitives.Point3D;
 import primitives.Vector3D;
 
@@ -13,12 +14,12 @@ import primitives.Vector3D;
  * parameter t is the distance from R in scene units.
  *
  * <p>Immutable. Points and vectors are copied on their way in and out. What they hold are floats; for
- * computations that cancel, the same numbers are to be had in double and without a copy, the direction brought
+ * computations that cancel, the same numbers are available in double and without a copy, the direction brought
  * to unit length once more in double ({@link #startX()}, {@link #directionX()} and so on).
  */
 public final class Ray {
 
-  /** The absence of a ray: whatever it is sent to answers {@link Hit#NOHIT}. Its accessors answer null or NaN. */
+  /** The absence of a ray: no object has a hit on it but {@link Hit#NOHIT}. Its accessors return null or NaN. */
   public static final Ray NORAY = exactly(Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
 
   private final double startX;
@@ -30,6 +31,8 @@ public final class Ray {
   private final double directionX;
   private final double directionY;
   private final double directionZ;
+  private final Object3D left;
+  private final double blindness;
 
   /**
    * The ray that starts at a point and follows a vector.
@@ -72,11 +75,14 @@ public final class Ray {
     directionX = k * ux;
     directionY = k * uy;
     directionZ = k * uz;
+    left = null;
+    blindness = 0;
   }
 
   /** Keeps the direction as it is. */
   private Ray(final double startX, final double startY, final double startZ,
-      final double directionX, final double directionY, final double directionZ) {
+      final double directionX, final double directionY, final double directionZ,
+      final Object3D left, final double blindness) {
     this.startX = startX;
     this.startY = startY;
     this.startZ = startZ;
@@ -86,6 +92,8 @@ public final class Ray {
     this.directionX = directionX;
     this.directionY = directionY;
     this.directionZ = directionZ;
+    this.left = left;
+    this.blindness = blindness;
   }
 
   private static Point3D other(final Point3D R, final Point3D Q) {
@@ -132,7 +140,7 @@ public final class Ray {
 
   /**
    * The ray of numbers that keep all their digits: a ray in the frame of a transformed object. Only what its
-   * accessors answer is rounded. Nothing is checked.
+   * accessors return is rounded. Nothing is checked.
    *
    * @param startX first coordinate of the starting point
    * @param startY second coordinate of the starting point
@@ -144,7 +152,61 @@ public final class Ray {
    */
   public static Ray exactly(final double startX, final double startY, final double startZ,
       final double x, final double y, final double z) {
-    return new Ray(startX, startY, startZ, x, y, z);
+    return new Ray(startX, startY, startZ, x, y, z, null, 0);
+  }
+
+  /** A ray that leaves an object whose hits are of unknown accuracy. */
+  static Ray leaving(final double startX, final double startY, final double startZ,
+      final double x, final double y, final double z, final Object3D left, final double blindness) {
+    return new Ray(startX, startY, startZ, x, y, z, left, blindness);
+  }
+
+  /**
+   * This ray in another frame. Nothing is checked.
+   *
+   * @param x first coordinate of its start there
+   * @param y second coordinate of the start
+   * @param z third coordinate of the start
+   * @param dx first component of its direction there, of unit length in double
+   * @param dy second component of the direction
+   * @param dz third component of the direction
+   * @param stretch length there of what has length 1 along this ray
+   * @return the ray, which leaves the same object
+   */
+  public Ray inFrame(final double x, final double y, final double z, final double dx, final double dy, final double dz,
+      final double stretch) {
+    return new Ray(x, y, z, dx, dy, dz, left, blindness * stretch);
+  }
+
+  /**
+   * This ray from a point farther on.
+   *
+   * @param distance distance of its new start from this one, in scene units
+   * @return the ray, which leaves no object
+   */
+  public Ray from(final double distance) {
+    return exactly(startX + distance * directionX, startY + distance * directionY, startZ + distance * directionZ,
+        directionX, directionY, directionZ);
+  }
+
+  /**
+   * Whether a hit does not count for this ray, as it is on the surface that the ray leaves: the object is the one that the
+   * ray leaves, the accuracy of its hits is unknown, and the hit is within {@link #blindness()}.
+   *
+   * @param hit a hit of this ray
+   * @return false for a ray that leaves no object
+   */
+  public boolean isBlindTo(final Hit hit) {
+    return left != null && hit.getObject() == left && hit.distance() <= blindness;
+  }
+
+  /**
+   * Distance within which this ray does not hit the object that it leaves.
+   *
+   * @return a distance in scene units; 0 for a ray that leaves no object of unknown accuracy
+   */
+  public double blindness() {
+    return blindness;
   }
 
   /**

@@ -65,7 +65,7 @@ class FailureLocatorTest {
     final RuntimeException failure = new ArithmeticException("by a student");
     final IllegalStateException told = messageOf(new Broken(failure));
     assertSame(failure, told.getCause());
-    final String start = "upnatray.CulpritTest$Broken.intersectionWith failed at pixel (15, 10) "
+    final String start = "rendering.FailureLocatorTest$Broken.intersectionWith failed at pixel (15, 10) "
         + "with Ray(R=(0.0, 0.0, 5.0), v=(";
     assertTrue(told.getMessage().startsWith(start), told.getMessage());
     assertTrue(told.getMessage().contains("by a student"), told.getMessage());
@@ -76,7 +76,7 @@ class FailureLocatorTest {
     final Object3D broken = new Broken(new NullPointerException());
     final Object3D moved = new AffineTransformation(new Vector3f(2, 2, 2), new Vector3f(0, 0, 1), broken);
     final String message = messageOf(moved).getMessage();
-    assertTrue(message.startsWith("upnatray.CulpritTest$Broken.intersectionWith"), message);
+    assertTrue(message.startsWith("rendering.FailureLocatorTest$Broken.intersectionWith"), message);
   }
 
   @Test
@@ -101,7 +101,7 @@ class FailureLocatorTest {
   @Test
   void namesTheObjectThatCallsItselfWithoutEnd() {
     final IllegalStateException told = messageOf(new Endless());
-    assertTrue(told.getMessage().startsWith("upnatray.CulpritTest$Endless.intersectionWith failed at pixel"),
+    assertTrue(told.getMessage().startsWith("rendering.FailureLocatorTest$Endless.intersectionWith failed at pixel"),
         told.getMessage());
     assertSame(StackOverflowError.class, told.getCause().getClass());
   }
@@ -147,9 +147,9 @@ class FailureLocatorTest {
   @Test
   void namesTheMethodThatFailed() {
     final String box = messageOf(new Careless(false)).getMessage();
-    assertTrue(box.startsWith("upnatray.CulpritTest$Careless.getBoundingBox failed at pixel"), box);
+    assertTrue(box.startsWith("rendering.FailureLocatorTest$Careless.getBoundingBox failed at pixel"), box);
     final String colour = messageOf(new Careless(true)).getMessage();
-    assertTrue(colour.startsWith("upnatray.CulpritTest$Careless.getColor failed at pixel (0, 0)"), colour);
+    assertTrue(colour.startsWith("rendering.FailureLocatorTest$Careless.getColor failed at pixel (0, 0)"), colour);
   }
 
   /** A projection whose rays end in the middle of the picture. */
@@ -179,7 +179,7 @@ class FailureLocatorTest {
     camera.setProjection(new HalfDone());
     final String message = assertThrows(IllegalStateException.class,
         () -> new Image(30, 20, Color.BLACK).synthesis(new Group3D(), camera)).getMessage();
-    assertTrue(message.matches("upnatray\\.CulpritTest\\$HalfDone\\$1\\.getRay failed at pixel \\(17, 9\\): .*by a student"),
-        message);
+    assertTrue(message.matches("rendering\\.FailureLocatorTest\\$HalfDone\\$1\\.getRay failed at pixel \\(17, 9\\): "
+        + ".*by a student"), message);
   }
 }

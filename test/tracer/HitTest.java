@@ -4,9 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
+
+import javax.vecmath.TexCoord2f;
 
 import org.junit.jupiter.api.Test;
 
@@ -89,6 +92,39 @@ class HitTest {
     }
     assertSame(Hit.NOHIT, Hit.of(1, 1e39, 0, 0, 0, 0, 1, BALL));
     assertSame(Hit.NOHIT, Hit.of(1, 2, 3, 4, 0, -0.0, 0, BALL));
+  }
+
+  @Test
+  void normalThatShadesIsCutToTheFront() {
+    final Vector3D g = new Vector3D(0, 0, 2);
+    final Hit bent = new Hit(1, new Point3D(), new Vector3D(0, 3, 4), g, new TexCoord2f(0.25f, 7), BALL);
+    assertEquals(new Vector3D(0, 0.6f, 0.8f), bent.getNormal());
+    assertEquals(new Vector3D(0, 0, 1), bent.getGeometricNormal());
+    assertEquals(new TexCoord2f(0.25f, 7), bent.getTexCoord());
+    final Hit cut = new Hit(1, new Point3D(), new Vector3D(0, 3, -4), g, null, BALL);
+    assertEquals(new Vector3D(0, 1, 0), cut.getNormal());
+    assertNull(cut.getTexCoord());
+    assertEquals(new Vector3D(0, 0, 1), new Hit(1, new Point3D(), new Vector3D(0, 0, -4), g, null, BALL).getNormal());
+    assertEquals(HIT.getNormal(), HIT.getGeometricNormal());
+    assertNull(HIT.getTexCoord());
+    assertNull(Hit.NOHIT.getGeometricNormal());
+    for (final TexCoord2f uv : new TexCoord2f[] {new TexCoord2f(Float.NaN, 0), new TexCoord2f(0, Float.NEGATIVE_INFINITY)}) {
+      assertThrows(IllegalArgumentException.class, () -> new Hit(1, new Point3D(), g, g, uv, BALL));
+    }
+    assertThrows(IllegalArgumentException.class, () -> new Hit(1, new Point3D(), g, new Vector3D(), null, BALL));
+  }
+
+  @Test
+  void rayLeavesAHitOffTheSurface() {
+    final Hit exact = Hit.of(5, 1, 2, 3, 0, 0, 1, 1e-12, BALL);
+    assertEquals(3 + 1e-12, exact.leave(true, 1, 0, 0).startZ());
+    assertEquals(3 - 1e-12, exact.leave(false, 1, 0, 0).startZ());
+    assertFalse(exact.leave(true, 1, 0, 0).isBlindTo(exact));
+    final Ray ray = new Hit(5, new Point3D(1, 2, 3), new Vector3D(0, 0, 1), BALL).leave(true, 1, 0, 0);
+    assertEquals(3 + 5e-6, ray.startZ(), 1e-12);
+    assertTrue(ray.isBlindTo(Hit.of(4.9e-4, 1, 2, 3, 0, 0, 1, BALL)));
+    assertFalse(ray.isBlindTo(Hit.of(5.1e-4, 1, 2, 3, 0, 0, 1, BALL)));
+    assertFalse(ray.isBlindTo(Hit.of(4e-4, 1, 2, 3, 0, 0, 1, new Sphere(new Point3D(), 1, Color.RED))));
   }
 
   @Test
