@@ -4,8 +4,8 @@ package models;
  * Error bounds of points: see {@link tracer.Hit#errorBound()}.
  *
  * <p>A shape's arithmetic is a few dozen operations in double on numbers not larger than the coordinates and the size of
- * the shape, each of which adds at most 2<sup>−53</sup> of them. The bound is 128 such errors. Offsets by the error of the shape
- * instead of the size of the point: Pharr, Jakob and Humphreys, "Physically Based Rendering", 4th edition, 2023, section 6.8.
+ * the shape, each of which adds at most 2<sup>−53</sup> of them. The bound is 128 such errors. That rays start off a surface
+ * by the error of the shape is Pharr, Jakob and Humphreys, "Physically Based Rendering", 4th edition, 2023, section 6.8.
  */
 final class Rounding {
 
