@@ -13,6 +13,7 @@ import javax.vecmath.Matrix3d;
 import javax.vecmath.Vector3f;
 
 import acceleration.RayTile;
+import materials.Material;
 import primitives.BoundingBox;
 import tracer.Hit;
 import tracer.Ray;
@@ -166,6 +167,11 @@ public class AffineTransformation extends Object3D {
   @Override
   public Color getColor() {
     return object.getColor();
+  }
+
+  @Override
+  public Material getMaterial() {
+    return object.getMaterial();
   }
 
   @Override

@@ -8,12 +8,13 @@ import java.util.List;
 import java.util.stream.Stream;
 
 import acceleration.RayTile;
+import materials.Material;
 import primitives.BoundingBox;
 import tracer.Hit;
 import tracer.Ray;
 
 /**
- * An object that rays can meet, and its colour.
+ * An object that rays can hit, and its colour or material.
  *
  * <p>A new kind of object extends this class and writes {@link #intersectionWith}, nothing else; if it has an end it
  * should also write {@link #getBoundingBox}, so that rays that pass it by need not be asked. The contract of an
@@ -50,6 +51,7 @@ public abstract class Object3D {
   };
 
   private final Color color;
+  private final Material material;
 
   /**
    * An object of one colour.
@@ -59,11 +61,39 @@ public abstract class Object3D {
    */
   protected Object3D(final Color color) {
     this.color = notNull("color", color);
+    this.material = null;
+  }
+
+  /**
+   * An object of a material. Where there is no illumination, it has the colour that stands for the material.
+   *
+   * @param material its material
+   * @throws IllegalArgumentException if the material is null
+   */
+  protected Object3D(final Material material) {
+    this.material = notNull("material", material);
+    this.color = material.getColor();
+    if (color == null) {
+      throw wrongState("nullResult", material.getClass().getName(), "getColor");
+    }
+  }
+
+  /**
+   * An object of a colour where there is no illumination, and of a material where there is.
+   *
+   * @param color its colour
+   * @param material its material
+   * @throws IllegalArgumentException if an argument is null
+   */
+  protected Object3D(final Color color, final Material material) {
+    this.color = notNull("color", color);
+    this.material = notNull("material", material);
   }
 
   /** An object that has no colour of its own, but parts that have theirs. */
   Object3D() {
     this.color = null;
+    this.material = null;
   }
 
   /**
@@ -73,6 +103,15 @@ public abstract class Object3D {
    */
   public Color getColor() {
     return color;
+  }
+
+  /**
+   * Material of the object.
+   *
+   * @return the material; null if it has none, as a group: then the object is matte, of its colour at the hit
+   */
+  public Material getMaterial() {
+    return material;
   }
 
   /**
