@@ -16,27 +16,37 @@ import tracer.Ray;
  */
 public final class TileHits {
 
+  private static final int INFINITE = Float.floatToRawIntBits(Float.POSITIVE_INFINITY);
+
   private final RayTile rays;
 
   /** Whether the rays are those of a transformed object's frame, whose directions are not rounded to floats. */
   private final boolean isNested;
 
   private final double[] t = new double[RayTile.SIZE * RayTile.SIZE];
-  /** The distances as floats, by which they are compared. */
-  private final float[] compared = new float[RayTile.SIZE * RayTile.SIZE];
+
+  /**
+   * The distances by which hits are compared, as the bits of floats: the order of positive floats is that of their bits, and
+   * what is not positive has bits that are not either, but for a NaN, whose bits are greater than those of infinity.
+   */
+  private final int[] compared = new int[RayTile.SIZE * RayTile.SIZE];
   private final int[] order = new int[RayTile.SIZE * RayTile.SIZE];
   private final int[] part = new int[RayTile.SIZE * RayTile.SIZE];
   private final Object3D[] owner = new Object3D[RayTile.SIZE * RayTile.SIZE];
   private final Object3D[] painted = new Object3D[RayTile.SIZE * RayTile.SIZE];
   private final Hit[] hit = new Hit[RayTile.SIZE * RayTile.SIZE];
 
-  /** For each row a pixel whose hit is the farthest of the row; rows where that may have changed are marked. */
+  /** For each row the farthest of its hits, unless the row is marked: then it may have come nearer. */
   private final int[] farthestOfRow = new int[RayTile.SIZE];
   private int changedRows;
   private double farthest;
 
   private Class<?> lastClass;
   private boolean lastIsPatterned;
+
+  /** Number of rays that have no hit yet. */
+  private int open;
+
   private int currentOrder;
   private TileHits nested;
 
@@ -57,12 +67,12 @@ public final class TileHits {
   /** Forgets all hits, for the rays that the tile holds now. A pixel without a ray gets distance 0: nothing is closer. */
   public void clear() {
     Arrays.fill(owner, null);
-    Arrays.fill(compared, 0);
-    for (int row = 0; row < rays.rows(); row++) {
-      for (int i = row * RayTile.SIZE; i < row * RayTile.SIZE + rays.columns(); i++) {
-        compared[i] = rays.isPresent(i) ? Float.POSITIVE_INFINITY : 0;
-        order[i] = -1;
-      }
+    Arrays.fill(order, -1);
+    open = 0;
+    for (int i = 0; i < RayTile.SIZE * rays.rows(); i++) {
+      final int present = rays.isPresent(i) ? 1 : 0;
+      compared[i] = present * INFINITE;
+      open += present;
     }
     changedRows = -1 >>> 32 - rays.rows();
     currentOrder = 0;
@@ -109,15 +119,18 @@ public final class TileHits {
 
   /** Whether a hit would replace the one that ray i has. */
   boolean isCloser(final int i, final double distance, final int itsPart) {
-    final float f = (float) distance, best = compared[i];
+    final int f = Float.floatToRawIntBits((float) distance), best = compared[i];
     return f > 0 && (f < best
         || f == best && (currentOrder < order[i] || currentOrder == order[i] && itsPart < part[i]));
   }
 
   /** Takes a hit that {@link #isCloser} approved: who answers for it, and what is to be painted. */
   void take(final int i, final double distance, final Object3D itsOwner, final Object3D itsPainted, final int itsPart) {
+    final int row = i / RayTile.SIZE, before = compared[i];
     t[i] = distance;
-    compared[i] = (float) distance;
+    compared[i] = Float.floatToRawIntBits((float) distance);
+    open -= before == INFINITE ? 1 : 0;
+    changedRows |= (before == farthestOfRow[row] ? 1 : 0) << row;
     order[i] = currentOrder;
     part[i] = itsPart;
     if (owner[i] != itsOwner || painted[i] != itsPainted || hit[i] != null) {
@@ -125,38 +138,40 @@ public final class TileHits {
       painted[i] = itsPainted;
       hit[i] = null;
     }
-    if (farthestOfRow[i / RayTile.SIZE] == i) {
-      changedRows |= 1 << i / RayTile.SIZE;
-    }
   }
 
   /** Distance beyond which no hit can be closer for any ray of the tile. */
   double farthest() {
+    if (open > 0) {
+      return Double.POSITIVE_INFINITY;
+    }
     if (changedRows != 0) {
-      float most = 0;
+      int most = 0;
       for (int row = 0; row < rays.rows(); row++) {
         if ((changedRows >> row & 1) != 0) {
-          farthestOfRow[row] = farthestOf(row);
+          farthestOfRow[row] = farthestOf(row * RayTile.SIZE);
         }
-        most = Math.max(most, compared[farthestOfRow[row]]);
+        most = Math.max(most, farthestOfRow[row]);
       }
       changedRows = 0;
-      farthest = most * ClosestHit.SAME;
+      farthest = Float.intBitsToFloat(most) * ClosestHit.SAME;
     }
     return farthest;
   }
 
   /** Distance beyond which no hit can be closer for ray i. */
   double farthest(final int i) {
-    return compared[i] * ClosestHit.SAME;
+    return Float.intBitsToFloat(compared[i]) * ClosestHit.SAME;
   }
 
-  private int farthestOf(final int row) {
-    int most = row * RayTile.SIZE;
-    for (int i = most + 1; i < row * RayTile.SIZE + rays.columns(); i++) {
-      most = compared[i] > compared[most] ? i : most;
+  /** The farthest hit of a row; pixels without a ray have 0. Two chains, so that neither waits for the other. */
+  private int farthestOf(final int first) {
+    int even = 0, odd = 0;
+    for (int i = first; i < first + RayTile.SIZE; i += 2) {
+      even = Math.max(even, compared[i]);
+      odd = Math.max(odd, compared[i + 1]);
     }
-    return most;
+    return Math.max(even, odd);
   }
 
   /**
