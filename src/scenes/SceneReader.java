@@ -13,6 +13,7 @@ import java.util.Optional;
 
 import arguments.Messages;
 import diagnostics.Problem;
+import diagnostics.SimilarFile;
 
 /**
  * Reads scene files. All that is wrong with a file and with its meshes is found in one run, values that describe nothing
@@ -58,7 +59,8 @@ public final class SceneReader {
       }
       return new ReadResult(Optional.ofNullable(reader.markup()), reader.problems.inFileOrder());
     } catch (final NoSuchFileException missing) {
-      return unreadable(file, "fileMissing");
+      final String text = Messages.text("scenes.fileMissing") + SimilarFile.question(file, ".xml");
+      return new ReadResult(Optional.empty(), List.of(new Problem(file.toString(), 0, 0, Problem.Severity.ERROR, text)));
     } catch (final AccessDeniedException denied) {
       return unreadable(file, "fileDenied");
     } catch (final IOException failure) {

@@ -18,6 +18,7 @@ public final class Main {
   /** What is rendered if nothing is asked for. */
   private static final Path DEFAULT_SCENE = Path.of("scenes", "shapes.xml");
 
+  private static final int INCOMPLETE = 1;
   private static final int WRONG_USAGE = 2;
 
   private Main() {
@@ -38,32 +39,47 @@ public final class Main {
   /** Does what a command line asks for and returns the exit status. */
   static int run(final String... args) {
     try {
-      final Options options = Options.of(args);
-      if (options.help()) {
-        System.out.println(Messages.text("upnatray.usage"));
-        return 0;
-      }
-      if (options.version()) {
-        System.out.println("UPNaTRay " + version());
-        return 0;
-      }
-      final List<Path> scenes = options.scenes().isEmpty() ? List.of(defaultScene()) : options.scenes();
-      if (options.windowIfPossible()) {
-        final Optional<Viewer> viewer = Viewer.available();
-        if (viewer.isPresent()) {
-          viewer.get().show(options.request(scenes.get(0)));
-          return 0;
-        }
-        if (options.window()) {
-          throw new UsageException("noDisplay");
-        }
-      }
-      System.setProperty("java.awt.headless", "true");
-      return new Batch(options, System.out, System.err).run(scenes);
+      return run(Options.of(args));
     } catch (final UsageException wrong) {
       System.err.println("UPNaTRay: " + wrong.getMessage());
       return WRONG_USAGE;
+    } catch (final NoClassDefFoundError missing) {
+      final Path jar = Libraries.missing().orElseThrow(() -> missing);
+      System.err.println("UPNaTRay: " + Messages.text("upnatray.noLibrary", jar));
+      return INCOMPLETE;
     }
+  }
+
+  /** Does what the options ask for and returns the exit status. */
+  private static int run(final Options options) throws UsageException {
+    if (options.help()) {
+      System.out.println(Messages.text("upnatray.usage"));
+      return 0;
+    }
+    if (options.version()) {
+      System.out.println("UPNaTRay " + version());
+      return 0;
+    }
+    final List<Path> scenes = options.scenes().isEmpty() ? List.of(defaultScene()) : options.scenes();
+    if (options.windowIfPossible() && isShown(options, scenes.get(0))) {
+      return 0;
+    }
+    System.setProperty("java.awt.headless", "true");
+    return new Batch(options, System.out, System.err).run(scenes);
+  }
+
+  /** Opens a window if there is a display. What it needs is checked before: its threads would be the first to miss it. */
+  private static boolean isShown(final Options options, final Path scene) throws UsageException {
+    final Optional<Path> missing = Libraries.missing();
+    if (missing.isPresent()) {
+      throw new NoClassDefFoundError(missing.get().toString());
+    }
+    final Optional<Viewer> viewer = Viewer.available();
+    viewer.ifPresent(present -> present.show(options.request(scene)));
+    if (viewer.isEmpty() && options.window()) {
+      throw new UsageException("noDisplay");
+    }
+    return viewer.isPresent();
   }
 
   private static String version() {

@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.StringJoiner;
 
+import diagnostics.LocaleCharset;
 import rendering.RenderPass;
 
 /**
@@ -131,7 +132,8 @@ final class Options {
     try {
       return Path.of(text);
     } catch (final InvalidPathException noPath) {
-      throw new UsageException("noPath", text);
+      throw LocaleCharset.canExpress(text) ? new UsageException("noPath", text)
+          : new UsageException("noPathInLocale", text, LocaleCharset.name());
     }
   }
 

@@ -23,6 +23,7 @@ final class CommandLine {
 
   private final Path folder;
   private final List<String> flags = new ArrayList<>();
+  private String locale;
 
   /** The program in a working directory. */
   CommandLine(final Path folder) {
@@ -34,6 +35,13 @@ final class CommandLine {
     final CommandLine other = new CommandLine(folder);
     other.flags.addAll(flags);
     other.flags.addAll(List.of(more));
+    return other;
+  }
+
+  /** The same with what a shell hands on as LC_ALL. */
+  CommandLine withLocale(final String locale) {
+    final CommandLine other = with();
+    other.locale = locale;
     return other;
   }
 
@@ -67,7 +75,11 @@ final class CommandLine {
     command.addAll(flags);
     command.add("upnatray.Main");
     command.addAll(List.of(args));
-    return new ProcessBuilder(command).directory(folder.toFile()).redirectOutput(folder.resolve("out.txt").toFile())
+    final ProcessBuilder builder = new ProcessBuilder(command);
+    if (locale != null) {
+      builder.environment().put("LC_ALL", locale);
+    }
+    return builder.directory(folder.toFile()).redirectOutput(folder.resolve("out.txt").toFile())
         .redirectError(folder.resolve("err.txt").toFile()).start();
   }
 

@@ -113,6 +113,23 @@ class MainTest {
   }
 
   @Test
+  void aNameThatDiffersInCaseIsSuggested() throws Exception {
+    final CommandLine.Result result = program.run("Ball.xml");
+    if (result.status() != 0) {
+      assertEquals("Ball.xml: there is no such file. Did you mean `ball.xml`?\n", result.err());
+    }
+  }
+
+  @Test
+  void aNameThatTheLocaleCannotExpress() throws Exception {
+    final CommandLine.Result result = program.withLocale("C").run("ball.xml", "-o", "pr\u00e1ctica.png");
+    if (result.status() != 0) {
+      assertEquals(2, result.status());
+      assertTrue(result.err().endsWith("start the program with LC_ALL=C.UTF-8\n"), result.err());
+    }
+  }
+
+  @Test
   void helpAndVersion() throws Exception {
     final CommandLine.Result help = program.run("--help");
     assertEquals(0, help.status());
