@@ -1,20 +1,27 @@
 package scenes;
 
+import java.io.StringReader;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 
+import javax.xml.stream.XMLStreamConstants;
+import javax.xml.stream.XMLStreamException;
+
+import org.codehaus.stax2.XMLStreamReader2;
+
+import com.ctc.wstx.api.ReaderConfig;
+import com.ctc.wstx.stax.WstxInputFactory;
+
 import arguments.Messages;
 
 /**
- * Reads the markup of a scene file, the part of XML 1.0 that is left without document type definitions, into a
- * tree that knows where each thing stands.
+ * Reads the markup of a scene file into a tree whose parts know their places.
  *
- * <p>Why not the reader of the JDK: it tells only where things end, in messages of its own that are not to be had
- * in Spanish, and starting it costs twice the time that the virtual machine itself needs. A DOCTYPE is refused, so
- * that there are no entities but the five of XML, and nothing outside the file is ever read. Slips that leave the
- * structure clear (an unknown entity, a repeated attribute) are told and passed over; others end the reading.
+ * <p>Woodstox reads the XML: it gives the exact start and end of each tag, comment and text. Its factory is made directly,
+ * as looking for one by the service loader costs time. A DOCTYPE is refused, so that there are no entities but the five of
+ * XML, and nothing outside the file is ever read. Reading ends at the first fault; {@link SyntaxDiagnosis} says what it is.
  */
 final class MarkupReader {
 
@@ -22,18 +29,20 @@ final class MarkupReader {
   record Comment(String text, int offset) {
   }
 
-  /** More than this in one another, and the file is no scene; it keeps recursion over the tree shallow. */
+  /** Deepest nesting of elements; a limit keeps recursion over the tree shallow. */
   static final int DEEPEST = 200;
 
-  /** With the & and without the semicolon: &#1114111 and some more. */
-  private static final int LONGEST_REFERENCE = 13;
+  private static final int COMMENT_MARK = "<!--".length();
+  private static final int CDATA_MARK = "<![CDATA[".length();
+  private static final int CDATA_END = "]]>".length();
 
   private final String text;
   private final Problems problems;
   private final List<Comment> comments = new ArrayList<>();
   private final Deque<Element> open = new ArrayDeque<>();
   private Element root;
-  private int at;
+  /** End of what has been read without a fault. */
+  private int end;
 
   MarkupReader(final Problems problems) {
     this.text = problems.source().text();
@@ -45,276 +54,84 @@ final class MarkupReader {
     return comments;
   }
 
-  /** Reads the whole file and answers its document element. */
+  /** Reads the whole file and returns its document element. */
   Element read() throws XmlSyntaxException {
-    checkCharacters();
-    while (at < text.length()) {
-      if (text.charAt(at) == '<') {
-        markup();
-      } else {
-        characters();
+    try {
+      final XMLStreamReader2 reader = (XMLStreamReader2) factory().createXMLStreamReader(new StringReader(text));
+      end = text.startsWith("<?xml") ? text.indexOf("?>") + 2 : 0;
+      while (reader.hasNext()) {
+        take(reader, reader.next());
+        end = offset(reader.getLocationInfo().getEndingCharOffset());
       }
-    }
-    if (!open.isEmpty()) {
-      throw new XmlSyntaxException(open.peek().offset(), "unclosed", open.peek().name());
-    }
-    if (root == null) {
-      throw new XmlSyntaxException(0, "noElement", Messages.quote(text));
-    }
-    return root;
-  }
-
-  private void checkCharacters() throws XmlSyntaxException {
-    for (int i = 0; i < text.length(); i++) {
-      final char c = text.charAt(i);
-      if (c < ' ' && c != '\t' && c != '\n' && c != '\r' || c >= '\ufffe') {
-        throw new XmlSyntaxException(i, "character", Integer.toHexString(c));
-      }
+      reader.close();
+      return root;
+    } catch (final XMLStreamException fault) {
+      throw new SyntaxDiagnosis(problems, open, root).of(end, fault);
     }
   }
 
-  private void markup() throws XmlSyntaxException {
-    if (text.startsWith("<!--", at)) {
-      comment();
-    } else if (text.startsWith("<![CDATA[", at)) {
-      characterData();
-    } else if (text.startsWith("<!", at)) {
-      throw new XmlSyntaxException(at, "doctype", Messages.quote(text.substring(at, Math.min(at + 9, text.length()))));
-    } else if (text.startsWith("<?", at)) {
-      instruction();
-    } else if (text.startsWith("</", at)) {
-      endTag();
-    } else {
-      startTag();
+  private static WstxInputFactory factory() {
+    final WstxInputFactory factory = new WstxInputFactory();
+    final ReaderConfig config = factory.getConfig();
+    config.doSupportNamespaces(false);
+    config.doSupportDTDs(false);
+    config.doParseLazily(false);
+    return factory;
+  }
+
+  private static int offset(final long characters) {
+    return Math.toIntExact(characters);
+  }
+
+  private void take(final XMLStreamReader2 reader, final int event) throws XMLStreamException, XmlSyntaxException {
+    final int start = offset(reader.getLocationInfo().getStartingCharOffset());
+    final int after = offset(reader.getLocationInfo().getEndingCharOffset());
+    switch (event) {
+      case XMLStreamConstants.START_ELEMENT -> startTag(reader, start);
+      case XMLStreamConstants.END_ELEMENT -> open.pop().close(after);
+      case XMLStreamConstants.COMMENT -> comments.add(new Comment(text.substring(start + COMMENT_MARK,
+          after - "-->".length()), start));
+      case XMLStreamConstants.CDATA -> open.peek().addText(text.substring(start + CDATA_MARK, after - CDATA_END),
+          start + CDATA_MARK, true);
+      case XMLStreamConstants.CHARACTERS, XMLStreamConstants.SPACE -> characters(reader, start, after);
+      case XMLStreamConstants.DTD -> throw new XmlSyntaxException(start, "doctype",
+          Messages.quote(text.substring(start, start + "<!DOCTYPE".length())));
+      default -> { }
     }
   }
 
-  private void comment() throws XmlSyntaxException {
-    final int start = at;
-    final String inside = upTo("-->", start + 4, "comment");
-    final int dashes = (inside + '-').indexOf("--");
-    if (dashes >= 0) {
-      problems.error(start + 4 + dashes, "dashes");
-    }
-    comments.add(new Comment(inside, start));
-  }
-
-  private void characterData() throws XmlSyntaxException {
-    final int start = at;
-    final String inside = upTo("]]>", start + 9, "CDATA");
-    if (open.isEmpty()) {
-      problems.error(start, "outside", Messages.quote(inside));
-    } else {
-      open.peek().addText(inside, start + 9, true);
-    }
-  }
-
-  private void instruction() throws XmlSyntaxException {
-    final int start = at;
-    final String inside = upTo("?>", start + 2, "<?");
-    final int length = nameLength(start + 2);
-    final String target = text.substring(start + 2, start + 2 + length);
-    if (length == 0 || length < inside.length() && !isBlank(inside.charAt(length))) {
-      throw new XmlSyntaxException(start, "instruction", Messages.quote(inside));
-    }
-    if (target.equalsIgnoreCase("xml") && !(start == 0 && target.equals("xml"))) {
-      problems.error(start, "declaration");
-    }
-  }
-
-  /** What stands between a place and a mark, past which the reading goes on. */
-  private String upTo(final String mark, final int from, final String what) throws XmlSyntaxException {
-    final int end = text.indexOf(mark, from);
-    if (end < 0) {
-      throw new XmlSyntaxException(at, "endless", what, mark);
-    }
-    at = end + mark.length();
-    return text.substring(from, end);
-  }
-
-  private void characters() {
-    final int start = at;
-    while (at < text.length() && text.charAt(at) != '<' && text.charAt(at) != '&') {
-      at++;
-    }
-    if (at == start) {
-      final String replacement = reference();
-      if (open.isEmpty()) {
-        problems.error(start, "outside", Messages.quote(replacement));
-      } else {
-        open.peek().addText(replacement, start, false);
-      }
-      return;
-    }
-    final String run = text.substring(start, at);
-    final int cdataEnd = run.indexOf("]]>");
-    if (cdataEnd >= 0) {
-      problems.error(start + cdataEnd, "cdataEnd");
-    }
-    if (!open.isEmpty()) {
-      open.peek().addText(run, start, true);
-    } else if (!run.isBlank()) {
-      problems.error(start + run.indexOf(run.strip()), "outside", Messages.quote(run));
-    }
-  }
-
-  /** Reads a reference to an entity or to a character; one that means nothing is told and stands for itself. */
-  private String reference() {
-    final int start = at++;
-    final int limit = Math.min(start + LONGEST_REFERENCE, text.length());
-    int semicolon = at;
-    while (semicolon < limit && text.charAt(semicolon) != ';') {
-      semicolon++;
-    }
-    final String name = semicolon == limit ? "" : text.substring(start + 1, semicolon);
-    final String meaning = Reference.meaning(name);
-    if (meaning == null) {
-      problems.error(start, "entity", Messages.quote(text.substring(start, Math.min(semicolon + 1, limit))));
-      return "&";
-    }
-    at = semicolon + 1;
-    return meaning;
-  }
-
-  private void startTag() throws XmlSyntaxException {
-    final int start = at++;
-    final Element element = new Element(name(start), start, open.peek());
+  private void startTag(final XMLStreamReader2 reader, final int start) throws XmlSyntaxException {
+    final Element element = new Element(reader.getLocalName(), start, open.peek());
     if (element.depth() > DEEPEST) {
       throw new XmlSyntaxException(start, "deep", DEEPEST);
     }
-    attributes(element);
-    if (open.isEmpty() && root != null) {
-      throw new XmlSyntaxException(start, "secondRoot", element.name(), root.name());
+    if (reader.getAttributeCount() > 0) {
+      final StartTag tag = new StartTag(text, start);
+      for (int i = 0; i < reader.getAttributeCount(); i++) {
+        final String name = reader.getAttributeLocalName(i);
+        element.attributes().add(new Element.Attribute(name, reader.getAttributeValue(i), tag.offset(name)));
+      }
     }
     if (open.isEmpty()) {
       root = element;
     } else {
       open.peek().children().add(element);
     }
-    if (text.charAt(at) == '/') {
-      at++;
-      expect('>', start, element.name());
-      element.close(at);
-    } else {
-      at++;
-      open.push(element);
-    }
+    open.push(element);
   }
 
-  /** Reads attributes up to the {@code >} or {@code />} of the tag. */
-  private void attributes(final Element element) throws XmlSyntaxException {
-    while (true) {
-      final int before = at;
-      skipBlanks();
-      if (at == text.length()) {
-        throw new XmlSyntaxException(element.offset(), "endlessTag", element.name());
-      }
-      if (text.charAt(at) == '>' || text.charAt(at) == '/') {
-        return;
-      }
-      if (at == before || nameLength(at) == 0) {
-        throw new XmlSyntaxException(at, "attributeExpected", element.name(), Messages.quote(text.substring(at, at + 1)));
-      }
-      attribute(element);
-    }
-  }
-
-  private void attribute(final Element element) throws XmlSyntaxException {
-    final int start = at;
-    final String name = name(start);
-    skipBlanks();
-    expect('=', start, name);
-    skipBlanks();
-    final char quote = at < text.length() ? text.charAt(at) : 0;
-    if (quote != '"' && quote != '\'') {
-      throw new XmlSyntaxException(start, "unquoted", name);
-    }
-    at++;
-    final String value = attributeValue(start, name, quote);
-    if (element.attribute(name) == null) {
-      element.attributes().add(new Element.Attribute(name, value, start));
-    } else {
-      problems.error(start, "repeatedAttribute", name);
-    }
-  }
-
-  private String attributeValue(final int start, final String name, final char quote) throws XmlSyntaxException {
-    final StringBuilder value = new StringBuilder();
-    while (true) {
-      final char c = at < text.length() ? text.charAt(at) : '<';
-      if (c == '<') {
-        throw new XmlSyntaxException(start, "endlessValue", name, quote);
-      }
-      if (c == quote) {
-        at++;
-        return value.toString();
-      }
-      if (c == '&') {
-        value.append(reference());
-      } else {
-        value.append(isBlank(c) ? ' ' : c);
-        at++;
-      }
-    }
-  }
-
-  private void endTag() throws XmlSyntaxException {
-    final int start = at;
-    at += 2;
-    final String name = name(start);
-    skipBlanks();
-    expect('>', start, name);
+  /** Adds text as it stands in the file, where line ends keep their places, unless references stand for characters. */
+  private void characters(final XMLStreamReader2 reader, final int start, final int after) {
     if (open.isEmpty()) {
-      throw new XmlSyntaxException(start, "closesNothing", name);
+      return;
     }
-    final Element element = open.pop();
-    if (!element.name().equals(name)) {
-      final int line = problems.source().line(element.offset());
-      throw new XmlSyntaxException(start, "closesOther", name, element.name(), line);
+    final String run = text.substring(start, after);
+    if (run.indexOf('&') < 0) {
+      open.peek().addText(run, start, true);
+    } else {
+      final int blanks = run.length() - run.stripLeading().length();
+      open.peek().addText(run.substring(0, blanks), start, true);
+      open.peek().addText(reader.getText().stripLeading(), start + blanks, false);
     }
-    element.close(at);
-  }
-
-  private void expect(final char expected, final int start, final String name) throws XmlSyntaxException {
-    if (at == text.length() || text.charAt(at) != expected) {
-      throw new XmlSyntaxException(start, "markExpected", name, expected);
-    }
-    at++;
-  }
-
-  private String name(final int start) throws XmlSyntaxException {
-    final int length = nameLength(at);
-    if (length == 0) {
-      throw new XmlSyntaxException(start, "strayMark", Messages.quote(text.substring(start, Math.min(start + 12,
-          text.length()))));
-    }
-    at += length;
-    return text.substring(at - length, at);
-  }
-
-  private int nameLength(final int from) {
-    int i = from;
-    while (i < text.length() && (isNameStart(text.charAt(i)) || i > from && isNamePart(text.charAt(i)))) {
-      i++;
-    }
-    return i - from;
-  }
-
-  private static boolean isNameStart(final char c) {
-    return c == ':' || c == '_' || Character.isLetter(c);
-  }
-
-  private static boolean isNamePart(final char c) {
-    return c == '-' || c == '.' || c == '\u00b7' || Character.isLetterOrDigit(c);
-  }
-
-  private void skipBlanks() {
-    while (at < text.length() && isBlank(text.charAt(at))) {
-      at++;
-    }
-  }
-
-  private static boolean isBlank(final char c) {
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
   }
 }

@@ -113,7 +113,7 @@ class SceneReaderTest {
 
   /** Each of these texts, some hundred thousand times in a file, took minutes to be read. */
   @ParameterizedTest
-  @ValueSource(strings = {"&&&&&&&&&&", "<object><x/></object>", "<!-- <W> --><raster/>", "ñ<x/>",
+  @ValueSource(strings = {"<object><x/></object>", "<!-- <W> --><raster/>", "ñ<x/>",
     "<object><modelId>bal</modelId></object>", "<model id='ID' type='sphere'/><object><modelId>ID0</modelId></object>"})
   void filesMadeOfProblemsAreReadSoon(final String text) {
     final StringBuilder many = new StringBuilder("<image><models/><scene>");
