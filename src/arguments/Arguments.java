@@ -68,6 +68,38 @@ public final class Arguments {
   }
 
   /**
+   * Checks a length or a size that may be 0: not negative and finite.
+   *
+   * @param name name of the argument
+   * @param value its value
+   * @return the value
+   * @throws IllegalArgumentException if the value is negative, infinite or NaN
+   */
+  public static float notNegative(final String name, final float value) {
+    if (!(value >= 0 && value < Float.POSITIVE_INFINITY)) {
+      throw wrong("notNegative", name, value);
+    }
+    return value;
+  }
+
+  /**
+   * Checks that a number is greater than another argument.
+   *
+   * @param name name of the argument
+   * @param value its value
+   * @param otherName name of the other argument
+   * @param other its value, not allowed itself
+   * @return the value
+   * @throws IllegalArgumentException if the value is not greater than the other, or if one of them is NaN
+   */
+  public static float greater(final String name, final float value, final String otherName, final float other) {
+    if (!(value > other)) {
+      throw wrong("greater", name, value, otherName, other);
+    }
+    return value;
+  }
+
+  /**
    * Checks a count: at least 1.
    *
    * @param name name of the argument

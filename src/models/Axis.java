@@ -63,8 +63,18 @@ final class Axis {
    * @param r radius of the disc, whose plane is perpendicular to the axis
    */
   BoundingBox boxAroundDisc(final double half, final double r) {
-    return BoundingBox.around(x, y, z, half * Math.abs(ux) + r * across(ux), half * Math.abs(uy) + r * across(uy),
-        half * Math.abs(uz) + r * across(uz));
+    return BoundingBox.around(x, y, z, half * Math.abs(ux) + r * acrossX(), half * Math.abs(uy) + r * acrossY(),
+        half * Math.abs(uz) + r * acrossZ());
+  }
+
+  /**
+   * Box about a disc perpendicular to the axis.
+   *
+   * @param s place of its centre along the axis, from the point
+   * @param r its radius
+   */
+  BoundingBox boxOfDisc(final double s, final double r) {
+    return BoundingBox.around(x + s * ux, y + s * uy, z + s * uz, r * acrossX(), r * acrossY(), r * acrossZ());
   }
 
   /** Box about a ball, or about what it sweeps along the axis. See {@link #boxAroundDisc}. */
@@ -72,14 +82,29 @@ final class Axis {
     return BoundingBox.around(x, y, z, half * Math.abs(ux) + r, half * Math.abs(uy) + r, half * Math.abs(uz) + r);
   }
 
-  /** Greatest coordinate of a unit vector perpendicular to the axis; rounding can take it out of 0 … 1. */
-  private static double across(final double u) {
-    return Math.sqrt(Math.max(0, 1 - u * u)) + 0x1p-26;
+  /** Greatest first coordinate of a unit vector perpendicular to the axis: √(1 − ux²) without its cancellation. */
+  double acrossX() {
+    return Math.sqrt(uy * uy + uz * uz);
+  }
+
+  /** Greatest second coordinate of such a vector. */
+  double acrossY() {
+    return Math.sqrt(ux * ux + uz * uz);
+  }
+
+  /** Greatest third coordinate of such a vector. */
+  double acrossZ() {
+    return Math.sqrt(ux * ux + uy * uy);
   }
 
   @Override
   public String toString() {
-    return "P=(" + (float) x + ", " + (float) y + ", " + (float) z + "), u=("
+    return toString("P", "u");
+  }
+
+  /** Point and direction, by the names that they have in the shape's constructor. */
+  String toString(final String pointName, final String directionName) {
+    return pointName + "=(" + (float) x + ", " + (float) y + ", " + (float) z + "), " + directionName + "=("
         + (float) ux + ", " + (float) uy + ", " + (float) uz + ")";
   }
 }

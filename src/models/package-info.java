@@ -10,6 +10,8 @@
  * <a href="Capsule.html"><img src="doc-files/Capsule.png" width="160" height="120" alt="Capsule"></a>
  * <a href="Torus.html"><img src="doc-files/Torus.png" width="160" height="120" alt="Torus"></a>
  * <a href="Ellipsoid.html"><img src="doc-files/Ellipsoid.png" width="160" height="120" alt="Ellipsoid"></a>
+ * <a href="Egg.html"><img src="doc-files/Egg.png" width="160" height="120" alt="Egg"></a>
+ * <a href="TruncatedCone.html"><img src="doc-files/TruncatedCone.png" width="160" height="120" alt="Truncated cone"></a>
  *
  * <h2>How to add a shape</h2>
  * <p>Extend {@link models.Object3D}, give the colour to its constructor, and write {@code intersectionWith}: the hit of
@@ -47,5 +49,8 @@
  *     normalised, j = k × i</li>
  * <li>{@code Torus(C, axis, R, r, color)}</li>
  * </ul>
+ *
+ * <p>Two shapes are the course's, not the assignment's: {@code Egg(C, axis, a, b, w, color)} and
+ * {@code TruncatedCone(P, u, rA, rB, l, color)}, P being the middle of the axis.
  */
 package models;

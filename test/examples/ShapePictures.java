@@ -16,6 +16,7 @@ import models.AffineTransformation;
 import models.Box;
 import models.Capsule;
 import models.Cylinder;
+import models.Egg;
 import models.Ellipsoid;
 import models.Group3D;
 import models.Object3D;
@@ -24,6 +25,7 @@ import models.Sphere;
 import models.Torus;
 import models.Triangle;
 import models.TriangularMesh;
+import models.TruncatedCone;
 import primitives.Point3D;
 import primitives.Vector3D;
 import tracer.Hit;
@@ -92,6 +94,8 @@ public final class ShapePictures {
     shapes.put("Capsule", scene(new Capsule(O, TILTED, 0.6f, 1.3f, YELLOW), axis(TILTED, 3.2f)));
     shapes.put("Torus", scene(new Torus(O, TILTED, 1.1f, 0.35f, YELLOW), axis(TILTED, 2)));
     shapes.put("Ellipsoid", scene(new Ellipsoid(O, new Vector3D(1, 0.3f, 0), Y, 1.5f, 0.9f, 0.6f, YELLOW)));
+    shapes.put("Egg", scene(new Egg(O, TILTED, 0.95f, 1.3f, 0.35f, YELLOW), axis(TILTED, 3.2f)));
+    shapes.put("TruncatedCone", scene(new TruncatedCone(O, TILTED, 1, 0.45f, 1.7f, YELLOW), axis(TILTED, 3)));
     shapes.put("TriangularMesh", scene(octahedron()));
     shapes.put("Group3D", scene(new Sphere(new Point3D(-0.9f, 0.2f, 0), 0.7f, YELLOW),
         new Box(new Point3D(0.8f, -0.1f, -0.4f), X, Y, 0.9f, 1.4f, 0.9f, RED),

@@ -38,7 +38,7 @@ class ShapePicturesTest {
         PICTURE.matcher(Files.readString(file)).results().forEach(picture -> shown.add(picture.group(1)));
       }
     }
-    assertEquals(11, shown.size());
+    assertEquals(13, shown.size());
     assertEquals(shown, new TreeSet<>(ShapePictures.shapes().keySet()));
     for (final String name : shown) {
       assertEquals(320, ImageIO.read(folder.resolve(name + ".png").toFile()).getWidth());

@@ -11,6 +11,7 @@ import models.AffineTransformation;
 import models.Box;
 import models.Capsule;
 import models.Cylinder;
+import models.Egg;
 import models.Ellipsoid;
 import models.Group3D;
 import models.Object3D;
@@ -19,6 +20,7 @@ import models.Sphere;
 import models.Torus;
 import models.Triangle;
 import models.TriangularMesh;
+import models.TruncatedCone;
 import primitives.Point3D;
 import primitives.Vector3D;
 import scenes.SceneFile;
@@ -58,6 +60,8 @@ public final class SampleScenes {
         new Box(new Point3D(1.4f, 0.8f, 0), right, up, 0.5f, 0.6f, 0.7f, Color.CYAN),
         new Torus(new Point3D(-1, 0.6f, 0), slanted, 0.4f, 0.12f, Color.MAGENTA),
         new Ellipsoid(new Point3D(0.6f, 0.9f, 0), right, up, 0.5f, 0.2f, 0.3f, Color.ORANGE),
+        new Egg(new Point3D(0.1f, -1, 0.3f), slanted, 0.2f, 0.3f, 0.1f, Color.WHITE),
+        new TruncatedCone(new Point3D(-1.5f, 0.1f, 0), slanted, 0.2f, 0, 0.5f, Color.BLUE),
         new Triangle(new Point3D(-0.5f, 1, 0), new Point3D(0, 1, 0.2f), new Point3D(-0.2f, 1.4f, 0), Color.PINK),
         TriangularMesh.of(new float[] {0, -1, 1, 0.8f, -1, 1, 0.8f, -0.5f, 1, 0, -0.5f, 1},
             new int[] {0, 1, 2, 0, 2, 3}, null),

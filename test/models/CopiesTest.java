@@ -28,7 +28,9 @@ class CopiesTest {
       (p, v) -> new Capsule(p[0], v[0], 3, 4, Color.RED),
       (p, v) -> new Box(p[0], v[0], v[1], 5, 5, 5, Color.RED),
       (p, v) -> new Torus(p[0], v[0], 2, 1, Color.RED),
-      (p, v) -> new Ellipsoid(p[0], v[0], v[1], 3, 4, 5, Color.RED));
+      (p, v) -> new Ellipsoid(p[0], v[0], v[1], 3, 4, 5, Color.RED),
+      (p, v) -> new Egg(p[0], v[0], 3, 4, 1, Color.RED),
+      (p, v) -> new TruncatedCone(p[0], v[0], 3, 2, 4, Color.RED));
 
   @Test
   void laterChangesOfPointsAndVectorsDoNotReachAShape() {

@@ -19,6 +19,11 @@ record ExactSpan(BigDecimal enter, BigDecimal leave, double gap) {
   /** A line as the oracle sees it. */
   record Line(ExactVector start, ExactVector direction) {
 
+    static Line exactly(final Ray ray) {
+      return new Line(ExactVector.of(ray.startX(), ray.startY(), ray.startZ()),
+          ExactVector.of(ray.directionX(), ray.directionY(), ray.directionZ()).normalised());
+    }
+
     static Line of(final Ray ray) {
       return new Line(ExactVector.of(ray.getStartingPoint()), ExactVector.of(ray.getDirection()).normalised());
     }
@@ -63,6 +68,35 @@ record ExactSpan(BigDecimal enter, BigDecimal leave, double gap) {
     }
     final BigDecimal one = h.negate().subtract(s).divide(d, DIGITS), other = h.subtract(s).divide(d, DIGITS);
     return new ExactSpan(one.min(other), one.max(other), Double.POSITIVE_INFINITY);
+  }
+
+  /**
+   * The half of the infinite cone about the axis C + s û whose radius m + k s is positive.
+   *
+   * @param size a length that the gap is measured by
+   */
+  static ExactSpan cone(final Line line, final ExactVector C, final ExactVector u, final BigDecimal m, final BigDecimal k,
+      final BigDecimal size) {
+    final ExactVector o = line.start.minus(C), d = line.direction;
+    final BigDecimal s = o.dot(u), ds = d.dot(u), r = m.add(k.multiply(s)), growth = k.multiply(ds);
+    final ExactVector across = o.minus(u.times(s)), dAcross = d.minus(u.times(ds));
+    final BigDecimal a = dAcross.dot(dAcross).subtract(growth.multiply(growth), DIGITS);
+    final BigDecimal b = across.dot(dAcross).subtract(growth.multiply(r), DIGITS);
+    final BigDecimal c = across.dot(across).subtract(r.multiply(r), DIGITS);
+    final BigDecimal discriminant = b.multiply(b).subtract(a.multiply(c), DIGITS);
+    final double gap = discriminant.divide(a.multiply(size).multiply(size), DIGITS).doubleValue();
+    if (discriminant.signum() < 0) {
+      return new ExactSpan(BigDecimal.ONE, BigDecimal.ZERO, gap);
+    }
+    final BigDecimal root = ExactVector.root(discriminant);
+    final BigDecimal one = b.negate().subtract(root).divide(a, DIGITS), other = b.negate().add(root).divide(a, DIGITS);
+    if (a.signum() > 0) {
+      final BigDecimal radius = r.subtract(growth.multiply(b).divide(a, DIGITS));
+      return radius.signum() >= 0 ? new ExactSpan(one, other, gap)
+          : new ExactSpan(BigDecimal.ONE, BigDecimal.ZERO, radius.divide(size, DIGITS).doubleValue());
+    }
+    return growth.signum() > 0 ? new ExactSpan(one.max(other), null, Double.POSITIVE_INFINITY)
+        : new ExactSpan(null, one.min(other), Double.POSITIVE_INFINITY);
   }
 
   ExactSpan and(final ExactSpan other, final double size) {

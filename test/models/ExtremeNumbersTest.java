@@ -56,6 +56,7 @@ class ExtremeNumbersTest {
   @ParameterizedTest
   @ValueSource(classes = {Point3D.class, Vector3D.class, BoundingBox.class, Ray.class, Hit.class, Sphere.class, Plane.class,
     Triangle.class, TriangularMesh.class, Box.class, Cylinder.class, Capsule.class, Torus.class, Ellipsoid.class,
+    Egg.class, TruncatedCone.class,
     AffineTransformation.class, Group3D.class, Camera.class, Perspective.class, Orthographic.class, Angular.class,
     Image.class})
   void everyCallIsAnsweredOrRefused(final Class<?> type) {

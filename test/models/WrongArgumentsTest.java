@@ -50,6 +50,8 @@ class WrongArgumentsTest {
     final WrongArgumentsTest test = new WrongArgumentsTest();
     test.shapes();
     test.roundShapes();
+    test.egg();
+    test.truncatedCone();
     test.framedShapes();
     test.transformations();
     test.meshes();
@@ -126,6 +128,30 @@ class WrongArgumentsTest {
     size("R", R -> new Torus(O, V, R, 1, RED));
     size("r", r -> new Torus(O, V, 2, r, RED));
     wrong("color", "null", () -> new Torus(O, V, 2, 1, null));
+  }
+
+  private void egg() {
+    point("C", C -> new Egg(C, V, 1, 2, 1, RED));
+    direction("axis", axis -> new Egg(O, axis, 1, 2, 1, RED));
+    size("a", a -> new Egg(O, V, a, 2, 1, RED));
+    size("b", b -> new Egg(O, V, 1, b, 1, RED));
+    size("w", w -> new Egg(O, V, 1, 2, w, RED));
+    wrong("b", "1.0", () -> new Egg(O, V, 1, 1, 1, RED));
+    wrong("w = 1.5", "1.25", () -> new Egg(O, V, 1, 1.25f, 1.5f, RED));
+    wrong("color", "null", () -> new Egg(O, V, 1, 2, 1, null));
+  }
+
+  private void truncatedCone() {
+    point("P", P -> new TruncatedCone(P, V, 1, 2, 1, RED));
+    direction("u", u -> new TruncatedCone(O, u, 1, 2, 1, RED));
+    for (final float no : new float[] {-1.5f, -Float.MIN_VALUE, Float.NaN, Float.POSITIVE_INFINITY}) {
+      wrong("rA", no, () -> new TruncatedCone(O, V, no, 2, 1, RED));
+      wrong("rB", no, () -> new TruncatedCone(O, V, 1, no, 1, RED));
+    }
+    wrong("rA", "0.0", () -> new TruncatedCone(O, V, 0, 0, 1, RED));
+    wrong("rB", "-0.0", () -> new TruncatedCone(O, V, 0, -0f, 1, RED));
+    size("l", l -> new TruncatedCone(O, V, 1, 2, l, RED));
+    wrong("color", "null", () -> new TruncatedCone(O, V, 1, 2, 1, null));
   }
 
   private void framedShapes() {

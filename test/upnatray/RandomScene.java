@@ -9,6 +9,7 @@ import models.AffineTransformation;
 import models.Box;
 import models.Capsule;
 import models.Cylinder;
+import models.Egg;
 import models.Ellipsoid;
 import models.Group3D;
 import models.Object3D;
@@ -17,6 +18,7 @@ import models.Sphere;
 import models.Torus;
 import models.Triangle;
 import models.TriangularMesh;
+import models.TruncatedCone;
 import primitives.Point3D;
 import primitives.Vector3D;
 
@@ -53,10 +55,12 @@ final class RandomScene {
     switch (random.nextInt(depth > 0 ? 20 : 13)) {
       case 0: case 1: return Pair.same(new Sphere(point(), size(), color()));
       case 2: return Pair.same(new Box(point(), axis(), new Vector3D(0.3f, 1, 0.2f), size(), size(), size(), color()));
-      case 3: return Pair.same(new Cylinder(point(), axis(), size(), size(), color()));
+      case 3: return Pair.same(random.nextBoolean() ? new Cylinder(point(), axis(), size(), size(), color())
+          : new TruncatedCone(point(), axis(), random.nextBoolean() ? 0 : size(), size(), size(), color()));
       case 4: return Pair.same(new Capsule(point(), axis(), size(), size(), color()));
       case 5: return Pair.same(new Torus(point(), axis(), size(), size(), color()));
-      case 6: return Pair.same(new Ellipsoid(point(), axis(), new Vector3D(0.3f, 1, 0.2f), size(), size(), size(), color()));
+      case 6: return random.nextInt(3) == 0 ? Pair.same(egg(size()))
+          : Pair.same(new Ellipsoid(point(), axis(), new Vector3D(0.3f, 1, 0.2f), size(), size(), size(), color()));
       case 7: return Pair.same(new Triangle(point(), point(), point(), color()));
       case 8: return random.nextInt(4) > 0 ? any(depth) : Pair.same(new Plane(point(), axis(), color()));
       case 9: return Pair.same(new StudentsSphere(point(), size(), true, color()));
@@ -65,6 +69,10 @@ final class RandomScene {
       case 13: case 14: case 15: return group(depth - 1);
       default: return transformed(any(depth - 1));
     }
+  }
+
+  private Egg egg(final float w) {
+    return new Egg(point(), axis(), size(), w * (1.01f + random.nextFloat()), w, color());
   }
 
   private Pair group(final int depth) {
