@@ -68,21 +68,6 @@ public final class Arguments {
   }
 
   /**
-   * Checks a length or a size that may be 0: not negative and finite.
-   *
-   * @param name name of the argument
-   * @param value its value
-   * @return the value
-   * @throws IllegalArgumentException if the value is negative, infinite or NaN
-   */
-  public static float notNegative(final String name, final float value) {
-    if (!(value >= 0 && value < Float.POSITIVE_INFINITY)) {
-      throw wrong("notNegative", name, value);
-    }
-    return value;
-  }
-
-  /**
    * Checks that a number is greater than another argument.
    *
    * @param name name of the argument
