@@ -5,6 +5,7 @@ import static arguments.Arguments.positive;
 import java.awt.Color;
 import java.util.List;
 
+import materials.Material;
 import primitives.BoundingBox;
 import primitives.Point3D;
 import primitives.Vector3D;
@@ -45,7 +46,30 @@ public class Box extends Object3D {
    */
   public Box(final Point3D C, final Vector3D i, final Vector3D aux, final float w, final float h, final float d,
       final Color color) {
-    super(color);
+    this(C, i, aux, w, h, d, Appearance.of(color));
+  }
+
+  /**
+   * A box of a material.
+   *
+   * @param C centre
+   * @param i direction of the horizontal axis, of any length but 0
+   * @param aux auxiliary vector that with i spans the plane of the vertical axis, not parallel to i
+   * @param w width, along i, &gt; 0
+   * @param h height, along j, &gt; 0
+   * @param d depth, along k, &gt; 0
+   * @param material material
+   * @throws IllegalArgumentException if an argument is null or not finite, if aux is along i, or if a size is not
+   *     positive
+   */
+  public Box(final Point3D C, final Vector3D i, final Vector3D aux, final float w, final float h, final float d,
+      final Material material) {
+    this(C, i, aux, w, h, d, Appearance.of(material));
+  }
+
+  private Box(final Point3D C, final Vector3D i, final Vector3D aux, final float w, final float h, final float d,
+      final Appearance appearance) {
+    super(appearance);
     this.frame = new Frame(C, i, aux);
     this.halfW = positive("w", w) * 0.5;
     this.halfH = positive("h", h) * 0.5;

@@ -5,6 +5,7 @@ import static arguments.Arguments.positive;
 import java.awt.Color;
 import java.util.List;
 
+import materials.Material;
 import primitives.BoundingBox;
 import primitives.Point3D;
 import primitives.Vector3D;
@@ -39,7 +40,25 @@ public class Cylinder extends Object3D {
    * @throws IllegalArgumentException if an argument is null or not finite, if u is zero, or if a size is not positive
    */
   public Cylinder(final Point3D P, final Vector3D u, final float r, final float l, final Color color) {
-    super(color);
+    this(P, u, r, l, Appearance.of(color));
+  }
+
+  /**
+   * A cylinder of a material.
+   *
+   * @param P middle of the axis segment, which runs from P − (l/2) û to P + (l/2) û
+   * @param u direction of the axis, of any length but 0
+   * @param r radius, &gt; 0
+   * @param l length along the axis, &gt; 0
+   * @param material material
+   * @throws IllegalArgumentException if an argument is null or not finite, if u is zero, or if a size is not positive
+   */
+  public Cylinder(final Point3D P, final Vector3D u, final float r, final float l, final Material material) {
+    this(P, u, r, l, Appearance.of(material));
+  }
+
+  private Cylinder(final Point3D P, final Vector3D u, final float r, final float l, final Appearance appearance) {
+    super(appearance);
     this.axis = new Axis("P", P, "u", u);
     this.r = positive("r", r);
     this.half = positive("l", l) * 0.5;

@@ -6,6 +6,7 @@ import static arguments.Arguments.positive;
 import java.awt.Color;
 import java.util.List;
 
+import materials.Material;
 import primitives.BoundingBox;
 import primitives.Point3D;
 import primitives.Vector3D;
@@ -74,7 +75,30 @@ public class Ellipsoid extends ProceduralObject3D {
    */
   public Ellipsoid(final Point3D C, final Vector3D i, final Vector3D aux, final float Rx, final float Ry, final float Rz,
       final Color color) {
-    super(color);
+    this(C, i, aux, Rx, Ry, Rz, Appearance.of(color));
+  }
+
+  /**
+   * An ellipsoid of a material.
+   *
+   * @param C centre
+   * @param i direction of the horizontal axis, of any length but 0
+   * @param aux auxiliary vector that with i spans the plane of the vertical axis, not parallel to i
+   * @param Rx radius along i, &gt; 0
+   * @param Ry radius along j, &gt; 0
+   * @param Rz radius along k, &gt; 0
+   * @param material material
+   * @throws IllegalArgumentException if an argument is null or not finite, if aux is along i, or if a radius is not
+   *     positive
+   */
+  public Ellipsoid(final Point3D C, final Vector3D i, final Vector3D aux, final float Rx, final float Ry, final float Rz,
+      final Material material) {
+    this(C, i, aux, Rx, Ry, Rz, Appearance.of(material));
+  }
+
+  private Ellipsoid(final Point3D C, final Vector3D i, final Vector3D aux, final float Rx, final float Ry, final float Rz,
+      final Appearance appearance) {
+    super(appearance);
     this.frame = new Frame(C, i, aux);
     this.Rx = positive("Rx", Rx);
     this.Ry = positive("Ry", Ry);

@@ -60,8 +60,7 @@ public abstract class Object3D {
    * @throws IllegalArgumentException if the colour is null
    */
   protected Object3D(final Color color) {
-    this.color = notNull("color", color);
-    this.material = null;
+    this(Appearance.of(color));
   }
 
   /**
@@ -71,11 +70,7 @@ public abstract class Object3D {
    * @throws IllegalArgumentException if the material is null
    */
   protected Object3D(final Material material) {
-    this.material = notNull("material", material);
-    this.color = material.getColor();
-    if (color == null) {
-      throw wrongState("nullResult", material.getClass().getName(), "getColor");
-    }
+    this(Appearance.of(material));
   }
 
   /**
@@ -86,14 +81,18 @@ public abstract class Object3D {
    * @throws IllegalArgumentException if an argument is null
    */
   protected Object3D(final Color color, final Material material) {
-    this.color = notNull("color", color);
-    this.material = notNull("material", material);
+    this(new Appearance(notNull("color", color), notNull("material", material)));
   }
 
   /** An object that has no colour of its own, but parts that have theirs. */
   Object3D() {
-    this.color = null;
-    this.material = null;
+    this(Appearance.NONE);
+  }
+
+  /** An object of an appearance that has been checked. */
+  Object3D(final Appearance appearance) {
+    this.color = appearance.color();
+    this.material = appearance.material();
   }
 
   /**

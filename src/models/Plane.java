@@ -6,6 +6,7 @@ import static arguments.Arguments.finite;
 import java.awt.Color;
 import java.util.List;
 
+import materials.Material;
 import primitives.Point3D;
 import primitives.Vector3D;
 import tracer.Hit;
@@ -38,7 +39,23 @@ public class Plane extends Object3D {
    * @throws IllegalArgumentException if an argument is null or not finite, or if n is zero
    */
   public Plane(final Point3D P, final Vector3D n, final Color color) {
-    super(color);
+    this(P, n, Appearance.of(color));
+  }
+
+  /**
+   * A plane of a material.
+   *
+   * @param P a point of it
+   * @param n its normal, of any length but 0
+   * @param material material
+   * @throws IllegalArgumentException if an argument is null or not finite, or if n is zero
+   */
+  public Plane(final Point3D P, final Vector3D n, final Material material) {
+    this(P, n, Appearance.of(material));
+  }
+
+  private Plane(final Point3D P, final Vector3D n, final Appearance appearance) {
+    super(appearance);
     this.x = finite("P", P).x;
     this.y = P.y;
     this.z = P.z;

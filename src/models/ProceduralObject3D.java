@@ -57,6 +57,11 @@ abstract class ProceduralObject3D extends Object3D {
     super(color);
   }
 
+  /** An object of an appearance that has been checked. */
+  ProceduralObject3D(final Appearance appearance) {
+    super(appearance);
+  }
+
   /**
    * Signed distance to the surface, or a bound of it.
    *

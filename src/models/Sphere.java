@@ -6,6 +6,7 @@ import static arguments.Arguments.positive;
 import java.awt.Color;
 import java.util.List;
 
+import materials.Material;
 import primitives.BoundingBox;
 import primitives.Point3D;
 import tracer.Hit;
@@ -37,7 +38,23 @@ public class Sphere extends Object3D {
    * @throws IllegalArgumentException if an argument is null or not finite, or if r is not positive
    */
   public Sphere(final Point3D C, final float r, final Color color) {
-    super(color);
+    this(C, r, Appearance.of(color));
+  }
+
+  /**
+   * A sphere of a material.
+   *
+   * @param C centre
+   * @param r radius, &gt; 0
+   * @param material material
+   * @throws IllegalArgumentException if an argument is null or not finite, or if r is not positive
+   */
+  public Sphere(final Point3D C, final float r, final Material material) {
+    this(C, r, Appearance.of(material));
+  }
+
+  private Sphere(final Point3D C, final float r, final Appearance appearance) {
+    super(appearance);
     this.x = finite("C", C).x;
     this.y = C.y;
     this.z = C.z;

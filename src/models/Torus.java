@@ -6,6 +6,7 @@ import static arguments.Arguments.positive;
 import java.awt.Color;
 import java.util.List;
 
+import materials.Material;
 import primitives.BoundingBox;
 import primitives.Point3D;
 import primitives.Vector3D;
@@ -55,7 +56,26 @@ public class Torus extends ProceduralObject3D {
    *     positive
    */
   public Torus(final Point3D C, final Vector3D axis, final float R, final float r, final Color color) {
-    super(color);
+    this(C, axis, R, r, Appearance.of(color));
+  }
+
+  /**
+   * A torus of a material.
+   *
+   * @param C centre
+   * @param axis direction of the axis of revolution, of any length but 0
+   * @param R distance from the axis to the centre of the circle that is revolved, &gt; 0
+   * @param r radius of that circle, &gt; 0; may be R or more
+   * @param material material
+   * @throws IllegalArgumentException if an argument is null or not finite, if the axis is zero, or if a radius is not
+   *     positive
+   */
+  public Torus(final Point3D C, final Vector3D axis, final float R, final float r, final Material material) {
+    this(C, axis, R, r, Appearance.of(material));
+  }
+
+  private Torus(final Point3D C, final Vector3D axis, final float R, final float r, final Appearance appearance) {
+    super(appearance);
     this.axis = new Axis("C", C, "axis", axis);
     this.R = positive("R", R);
     this.r = positive("r", r);

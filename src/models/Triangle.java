@@ -6,6 +6,7 @@ import static arguments.Arguments.wrong;
 import java.awt.Color;
 import java.util.List;
 
+import materials.Material;
 import primitives.BoundingBox;
 import primitives.Point3D;
 import tracer.Hit;
@@ -50,15 +51,39 @@ public class Triangle extends Object3D {
    *     the rounding of their coordinates
    */
   public Triangle(final Point3D A, final Point3D B, final Point3D C, final Color color) {
-    this(new double[] {finite("A", A).x, A.y, A.z, finite("B", B).x, B.y, B.z, finite("C", C).x, C.y, C.z}, 0, 3, 6, color);
+    this(A, B, C, Appearance.of(color));
+  }
+
+  /**
+   * A triangle of a material.
+   *
+   * @param A first vertex
+   * @param B second vertex, counter-clockwise
+   * @param C third vertex
+   * @param material material
+   * @throws IllegalArgumentException if an argument is null or not finite, or if the vertices lie on one line, up to
+   *     the rounding of their coordinates
+   */
+  public Triangle(final Point3D A, final Point3D B, final Point3D C, final Material material) {
+    this(A, B, C, Appearance.of(material));
+  }
+
+  private Triangle(final Point3D A, final Point3D B, final Point3D C, final Appearance appearance) {
+    this(new double[] {finite("A", A).x, A.y, A.z, finite("B", B).x, B.y, B.z, finite("C", C).x, C.y, C.z}, 0, 3, 6,
+        appearance);
     if (isAligned()) {
       throw wrong("aligned", A, B, C);
     }
   }
 
-  /** A triangle of a mesh, whose vertices start at the places a, b and c of its coordinates, which are floats. */
+  /** A triangle of a mesh of one colour. */
   Triangle(final double[] coordinates, final int a, final int b, final int c, final Color color) {
-    super(color);
+    this(coordinates, a, b, c, Appearance.of(color));
+  }
+
+  /** A triangle of a mesh, whose vertices start at the places a, b and c of its coordinates, which are floats. */
+  Triangle(final double[] coordinates, final int a, final int b, final int c, final Appearance appearance) {
+    super(appearance);
     ax = (float) coordinates[a];
     ay = (float) coordinates[a + 1];
     az = (float) coordinates[a + 2];

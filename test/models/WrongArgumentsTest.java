@@ -23,6 +23,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
+import materials.Material;
 import primitives.BoundingBox;
 import primitives.Point3D;
 import primitives.Vector3D;
@@ -96,15 +97,18 @@ class WrongArgumentsTest {
   private void shapes() {
     point("C", C -> new Sphere(C, 1, RED));
     size("r", r -> new Sphere(O, r, RED));
-    wrong("color", "null", () -> new Sphere(O, 1, null));
+    wrong("color", "null", () -> new Sphere(O, 1, (Color) null));
+    wrong("material", "null", () -> new Sphere(O, 1, (Material) null));
     point("P", P -> new Plane(P, V, RED));
     direction("n", n -> new Plane(O, n, RED));
-    wrong("color", "null", () -> new Plane(O, V, null));
+    wrong("color", "null", () -> new Plane(O, V, (Color) null));
+    wrong("material", "null", () -> new Plane(O, V, (Material) null));
     final Point3D a = new Point3D(), b = new Point3D(1, 0, 0), c = new Point3D(0, 1, 0);
     point("A", A -> new Triangle(A, b, c, RED));
     point("B", B -> new Triangle(a, B, c, RED));
     point("C", C -> new Triangle(a, b, C, RED));
-    wrong("color", "null", () -> new Triangle(a, b, c, null));
+    wrong("color", "null", () -> new Triangle(a, b, c, (Color) null));
+    wrong("material", "null", () -> new Triangle(a, b, c, (Material) null));
     wrong("A, B", "(3.0, 3.0, 3.0)", () -> new Triangle(O, new Point3D(3, 3, 3), new Point3D(5, 4, 3), RED));
     wrong("A, B", O, () -> new Triangle(O, new Point3D(O), c, RED));
     wrong("A, B", "(0.0, 0.0, 0.0)", () -> new Triangle(a, a, a, RED));
@@ -117,17 +121,20 @@ class WrongArgumentsTest {
     direction("u", u -> new Cylinder(O, u, 1, 1, RED));
     size("r", r -> new Cylinder(O, V, r, 1, RED));
     size("l", l -> new Cylinder(O, V, 1, l, RED));
-    wrong("color", "null", () -> new Cylinder(O, V, 1, 1, null));
+    wrong("color", "null", () -> new Cylinder(O, V, 1, 1, (Color) null));
+    wrong("material", "null", () -> new Cylinder(O, V, 1, 1, (Material) null));
     point("P", P -> new Capsule(P, V, 1, 1, RED));
     direction("u", u -> new Capsule(O, u, 1, 1, RED));
     size("r", r -> new Capsule(O, V, r, 1, RED));
     size("l", l -> new Capsule(O, V, 1, l, RED));
-    wrong("color", "null", () -> new Capsule(O, V, 1, 1, null));
+    wrong("color", "null", () -> new Capsule(O, V, 1, 1, (Color) null));
+    wrong("material", "null", () -> new Capsule(O, V, 1, 1, (Material) null));
     point("C", C -> new Torus(C, V, 2, 1, RED));
     direction("axis", axis -> new Torus(O, axis, 2, 1, RED));
     size("R", R -> new Torus(O, V, R, 1, RED));
     size("r", r -> new Torus(O, V, 2, r, RED));
-    wrong("color", "null", () -> new Torus(O, V, 2, 1, null));
+    wrong("color", "null", () -> new Torus(O, V, 2, 1, (Color) null));
+    wrong("material", "null", () -> new Torus(O, V, 2, 1, (Material) null));
   }
 
   private void egg() {
@@ -161,14 +168,16 @@ class WrongArgumentsTest {
     size("w", w -> new Box(O, X, V, w, 1, 1, RED));
     size("h", h -> new Box(O, X, V, 1, h, 1, RED));
     size("d", d -> new Box(O, X, V, 1, 1, d, RED));
-    wrong("color", "null", () -> new Box(O, X, V, 1, 1, 1, null));
+    wrong("color", "null", () -> new Box(O, X, V, 1, 1, 1, (Color) null));
+    wrong("material", "null", () -> new Box(O, X, V, 1, 1, 1, (Material) null));
     point("C", C -> new Ellipsoid(C, X, V, 1, 1, 1, RED));
     direction("i", i -> new Ellipsoid(O, i, V, 1, 1, 1, RED));
     direction("aux", aux -> new Ellipsoid(O, X, aux, 1, 1, 1, RED));
     size("Rx", r -> new Ellipsoid(O, X, V, r, 1, 1, RED));
     size("Ry", r -> new Ellipsoid(O, X, V, 1, r, 1, RED));
     size("Rz", r -> new Ellipsoid(O, X, V, 1, 1, r, RED));
-    wrong("color", "null", () -> new Ellipsoid(O, X, V, 1, 1, 1, null));
+    wrong("color", "null", () -> new Ellipsoid(O, X, V, 1, 1, 1, (Color) null));
+    wrong("material", "null", () -> new Ellipsoid(O, X, V, 1, 1, 1, (Material) null));
     for (final float k : new float[] {1, -3, 1e-10f, 0.7f}) {
       final Vector3D i = new Vector3D(0.1f, 0.7f, -0.3f), aux = new Vector3D(k * i.x, k * i.y, k * i.z);
       wrong("aux", aux, () -> new Box(O, i, aux, 1, 1, 1, RED));
