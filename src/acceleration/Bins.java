@@ -3,19 +3,22 @@ package acceleration;
 /** Finds where to split the boxes of a node, and parts them there. One for each thread. */
 final class Bins {
 
-  private static final int COUNT = 16;
+  private static final int MOST = 16;
 
   private final float[] boxes;
   private final int[] order;
-  private final int[] counts = new int[COUNT];
-  private final BoxBuilder[] extents = new BoxBuilder[COUNT];
-  private final double[] rightCosts = new double[COUNT];
+  private final int[] counts = new int[MOST];
+  private final BoxBuilder[] extents = new BoxBuilder[MOST];
+  private final double[] rightCosts = new double[MOST];
   private final BoxBuilder sweep = new BoxBuilder();
+
+  /** Number of bins in use. */
+  private int used;
 
   Bins(final float[] boxes, final int[] order) {
     this.boxes = boxes;
     this.order = order;
-    for (int i = 0; i < COUNT; i++) {
+    for (int i = 0; i < MOST; i++) {
       extents[i] = new BoxBuilder();
     }
   }
@@ -23,18 +26,24 @@ final class Bins {
   /** Splits where the surface area heuristic expects the least work; null if all centres fall into one bin. */
   Split split(final int first, final int end, final BoxBuilder centres) {
     final int axis = centres.longest();
-    final float least = centres.least(axis), scale = COUNT / centres.length(axis);
+    used = count(end - first);
+    final float least = centres.least(axis), scale = used / centres.length(axis);
     fill(first, end, axis, least, scale);
     final int border = cheapest();
     return border < 0 ? null : part(first, end, axis, least, scale, border);
   }
 
-  private static int bin(final float centre, final float least, final float scale) {
-    return Math.max(0, Math.min(COUNT - 1, (int) ((centre - least) * scale)));
+  /** Few boxes are split as well with few bins, and most nodes have few. */
+  private static int count(final int boxes) {
+    return boxes < 16 ? 4 : boxes < 128 ? 8 : MOST;
+  }
+
+  private int bin(final float centre, final float least, final float scale) {
+    return Math.max(0, Math.min(used - 1, (int) ((centre - least) * scale)));
   }
 
   private void fill(final int first, final int end, final int axis, final float least, final float scale) {
-    for (int i = 0; i < COUNT; i++) {
+    for (int i = 0; i < used; i++) {
       counts[i] = 0;
       extents[i].clear();
     }
@@ -49,8 +58,8 @@ final class Bins {
   private int cheapest() {
     sweep.clear();
     int count = 0;
-    for (int b = COUNT - 1; b > 0; b--) {
-      sweep.add(extents[b].numbers(), 0);
+    for (int b = used - 1; b > 0; b--) {
+      sweep.add(extents[b]);
       count += counts[b];
       rightCosts[b] = count == 0 ? Double.POSITIVE_INFINITY : sweep.area() * count;
     }
@@ -58,8 +67,8 @@ final class Bins {
     count = 0;
     int best = -1;
     double least = Double.POSITIVE_INFINITY;
-    for (int b = 1; b < COUNT; b++) {
-      sweep.add(extents[b - 1].numbers(), 0);
+    for (int b = 1; b < used; b++) {
+      sweep.add(extents[b - 1]);
       count += counts[b - 1];
       final double cost = sweep.area() * count + rightCosts[b];
       if (count > 0 && cost < least) {
@@ -73,8 +82,8 @@ final class Bins {
   private Split part(final int first, final int end, final int axis, final float least, final float scale,
       final int border) {
     final Split split = new Split();
-    for (int b = 0; b < COUNT; b++) {
-      (b < border ? split.left : split.right).add(extents[b].numbers(), 0);
+    for (int b = 0; b < used; b++) {
+      (b < border ? split.left : split.right).add(extents[b]);
     }
     int i = first, j = end;
     while (i < j) {

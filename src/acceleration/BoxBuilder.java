@@ -1,19 +1,21 @@
 package acceleration;
 
-import java.util.Arrays;
-
-/** A growing box of six floats: least x, y, z, greatest x, y, z. */
+/** A growing box, empty at first. */
 final class BoxBuilder {
 
-  private final float[] numbers = new float[6];
+  private float minX;
+  private float minY;
+  private float minZ;
+  private float maxX;
+  private float maxY;
+  private float maxZ;
 
   BoxBuilder() {
-    Arrays.fill(numbers, 0, 3, Float.POSITIVE_INFINITY);
-    Arrays.fill(numbers, 3, 6, Float.NEGATIVE_INFINITY);
+    clear();
   }
 
   /** Extent of the centres of boxes. */
-  static BoxBuilder of(final float[] boxes, final int first, final int end) {
+  static BoxBuilder ofCentres(final float[] boxes, final int first, final int end) {
     final BoxBuilder extent = new BoxBuilder();
     for (int i = first; i < end; i++) {
       extent.addCentre(boxes, 6 * i);
@@ -21,55 +23,85 @@ final class BoxBuilder {
     return extent;
   }
 
-  float[] numbers() {
-    return numbers;
+  void clear() {
+    minX = Float.POSITIVE_INFINITY;
+    minY = Float.POSITIVE_INFINITY;
+    minZ = Float.POSITIVE_INFINITY;
+    maxX = Float.NEGATIVE_INFINITY;
+    maxY = Float.NEGATIVE_INFINITY;
+    maxZ = Float.NEGATIVE_INFINITY;
   }
 
-  /** Takes in a box. */
+  /** Takes in a box of an array. */
   void add(final float[] boxes, final int at) {
-    for (int k = 0; k < 3; k++) {
-      numbers[k] = boxes[at + k] < numbers[k] ? boxes[at + k] : numbers[k];
-      numbers[k + 3] = boxes[at + k + 3] > numbers[k + 3] ? boxes[at + k + 3] : numbers[k + 3];
-    }
+    add(boxes[at], boxes[at + 1], boxes[at + 2], boxes[at + 3], boxes[at + 4], boxes[at + 5]);
   }
 
-  /** Takes in the centre of a box. */
+  void add(final BoxBuilder box) {
+    add(box.minX, box.minY, box.minZ, box.maxX, box.maxY, box.maxZ);
+  }
+
+  /** Takes in the centre of a box of an array. */
   void addCentre(final float[] boxes, final int at) {
-    for (int k = 0; k < 3; k++) {
-      final float c = centre(boxes, at, k);
-      numbers[k] = c < numbers[k] ? c : numbers[k];
-      numbers[k + 3] = c > numbers[k + 3] ? c : numbers[k + 3];
+    final float x = centre(boxes, at, 0), y = centre(boxes, at, 1), z = centre(boxes, at, 2);
+    add(x, y, z, x, y, z);
+  }
+
+  /** Stores only what changes, and without a loop: half the work of building a tree is done here. */
+  private void add(final float leastX, final float leastY, final float leastZ, final float mostX, final float mostY,
+      final float mostZ) {
+    if (leastX < minX) {
+      minX = leastX;
+    }
+    if (leastY < minY) {
+      minY = leastY;
+    }
+    if (leastZ < minZ) {
+      minZ = leastZ;
+    }
+    if (mostX > maxX) {
+      maxX = mostX;
+    }
+    if (mostY > maxY) {
+      maxY = mostY;
+    }
+    if (mostZ > maxZ) {
+      maxZ = mostZ;
     }
   }
 
-  /** Coordinate k of the centre of a box, without the overflow of a sum. */
+  /** Coordinate k of the centre of a box of an array, without the overflow of a sum. */
   static float centre(final float[] boxes, final int at, final int k) {
     return 0.5f * boxes[at + k] + 0.5f * boxes[at + k + 3];
   }
 
+  /** Writes the least x, y, z and the greatest into an array. */
+  void store(final float[] boxes, final int at) {
+    boxes[at] = minX;
+    boxes[at + 1] = minY;
+    boxes[at + 2] = minZ;
+    boxes[at + 3] = maxX;
+    boxes[at + 4] = maxY;
+    boxes[at + 5] = maxZ;
+  }
+
   /** The coordinate along which it is longest. */
   int longest() {
-    final float x = numbers[3] - numbers[0], y = numbers[4] - numbers[1], z = numbers[5] - numbers[2];
+    final float x = maxX - minX, y = maxY - minY, z = maxZ - minZ;
     return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
   }
 
   float least(final int k) {
-    return numbers[k];
+    return k == 0 ? minX : k == 1 ? minY : minZ;
   }
 
   float length(final int k) {
-    return numbers[k + 3] - numbers[k];
+    return k == 0 ? maxX - minX : k == 1 ? maxY - minY : maxZ - minZ;
   }
 
   /** Half the surface of the box; 0 if it is empty. In double, for extents whose products no float holds. */
   double area() {
-    final double x = (double) numbers[3] - numbers[0], y = (double) numbers[4] - numbers[1];
-    final double z = (double) numbers[5] - numbers[2];
+    final double x = (double) maxX - minX, y = (double) maxY - minY, z = (double) maxZ - minZ;
     return x >= 0 ? x * y + y * z + z * x : 0;
-  }
-
-  void clear() {
-    Arrays.fill(numbers, 0, 3, Float.POSITIVE_INFINITY);
-    Arrays.fill(numbers, 3, 6, Float.NEGATIVE_INFINITY);
   }
 }

@@ -5,10 +5,10 @@ import java.util.concurrent.RecursiveTask;
 
 /**
  * Builds a tree from boxes, from the top down: the boxes of a node are sorted into bins by their centres along the longest
- * side of the centres' box, and split between two bins where the surface area heuristic expects the least work: the sum over
- * both sides of area times number of primitives. Source: Wald, "On fast Construction of SAH-based Bounding Volume
- * Hierarchies",
- * Symposium on Interactive Ray Tracing, 2007. Where all centres coincide, and far down, the primitives are halved.
+ * side of the centres' box, and split between two bins where the surface area heuristic expects the least work: the sum
+ * over both sides of area times number of primitives. Source: Wald, "On fast Construction of SAH-based Bounding Volume
+ * Hierarchies", Symposium on Interactive Ray Tracing, 2007. Where all centres coincide, and far down, the primitives are
+ * halved.
  *
  * <p>The boxes themselves are moved, not pointed at, so that every pass reads memory in order. Large parts are built by
  * several threads; the tree is the same.
@@ -43,9 +43,11 @@ final class BvhBuilder {
     for (int i = 0; i < n; i++) {
       whole.add(boxes, 6 * i);
     }
-    final Task task = new Task(0, n, BoxBuilder.of(boxes, 0, n), 0);
+    final float[] numbers = new float[6];
+    whole.store(numbers, 0);
+    final Task task = new Task(0, n, BoxBuilder.ofCentres(boxes, 0, n), 0);
     final Subtree tree = n < PARALLEL ? task.compute() : ForkJoinPool.commonPool().invoke(task);
-    return tree.toBvh(n, task.link, whole.numbers());
+    return tree.toBvh(n, task.link, numbers);
   }
 
   /** A part of the tree, built by one thread, or split over several if it is large. */
@@ -80,7 +82,7 @@ final class BvhBuilder {
       final Task left = new Task(first, split.middle, split.leftCentres, depth + 1);
       final Task right = new Task(split.middle, end, split.rightCentres, depth + 1);
       invokeAll(left, right);
-      final int node = tree.add(split.left.numbers(), split.right.numbers());
+      final int node = tree.add(split.left, split.right);
       tree.link(node, tree.append(left.join(), left.link), tree.append(right.join(), right.link));
       return node;
     }
@@ -91,7 +93,7 @@ final class BvhBuilder {
         return Bvh.leaf(from, to - from);
       }
       final Split split = split(from, to, middles, level);
-      final int node = tree.add(split.left.numbers(), split.right.numbers());
+      final int node = tree.add(split.left, split.right);
       final int left = build(tree, from, split.middle, split.leftCentres, level + 1);
       tree.link(node, left, build(tree, split.middle, to, split.rightCentres, level + 1));
       return node;

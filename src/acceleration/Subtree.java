@@ -17,11 +17,11 @@ final class Subtree {
     links = new int[2 * Math.max(1, expectedNodes)];
   }
 
-  /** Adds a node with the boxes of its two children; answers its number. */
-  int add(final float[] left, final float[] right) {
+  /** Adds a node with the boxes of its two children; returns its number. */
+  int add(final BoxBuilder left, final BoxBuilder right) {
     ensure(nodes + 1);
-    System.arraycopy(left, 0, boxes, 12 * nodes, 6);
-    System.arraycopy(right, 0, boxes, 12 * nodes + 6, 6);
+    left.store(boxes, 12 * nodes);
+    right.store(boxes, 12 * nodes + 6);
     return nodes++;
   }
 
@@ -30,7 +30,7 @@ final class Subtree {
     links[2 * node + 1] = right;
   }
 
-  /** Adds all nodes of another part; answers where its link points to now. */
+  /** Adds all nodes of another part; returns where its link points to now. */
   int append(final Subtree other, final int link) {
     ensure(nodes + other.nodes);
     System.arraycopy(other.boxes, 0, boxes, 12 * nodes, 12 * other.nodes);

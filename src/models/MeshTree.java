@@ -14,8 +14,8 @@ import tracer.Ray;
  */
 final class MeshTree {
 
-  /** Triangles to a leaf: fewer cost memory, more cost tests. */
-  private static final int LEAF = 4;
+  /** Triangles to a leaf: fewer cost memory and nodes to fetch, more cost tests. */
+  private static final int LEAF = Bvh.MOST_IN_LEAF;
 
   /** In double, as they are computed with: to convert a float makes a triangle wait for the one before. */
   private final double[] coordinates;

@@ -231,7 +231,7 @@ class BvhTest {
       }
       this.leaf = leaf;
       bins = new Bins(boxes, order);
-      build(0, order.length, BoxBuilder.of(boxes, 0, order.length), 0);
+      build(0, order.length, BoxBuilder.ofCentres(boxes, 0, order.length), 0);
     }
 
     private void build(final int first, final int end, final BoxBuilder centres, final int level) {
