@@ -17,6 +17,7 @@ import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 
 import arguments.Messages;
 import inspection.Difference;
@@ -30,6 +31,7 @@ final class Comparison {
   private final JLabel figures = new JLabel();
   private final Command worst = Command.of("compare.worst", "", this::showWorst);
   private final Command mask = Command.of("compare.mask", "", this::switchMask);
+  private final LatestOnlyExecutor background = new LatestOnlyExecutor("comparison");
   private Difference difference;
 
   /** Opens the dialog beside a window. */
@@ -40,9 +42,12 @@ final class Comparison {
     dialog.setName("comparison");
     figures.setName("figures");
     layOut(Command.of("compare.close", "ESCAPE", this::end));
-    compare();
+    figures.setText(Messages.text("window.compare.running"));
+    dialog.pack();
     dialog.setLocation(window.frame().getX() + 40, window.frame().getY() + 120);
+    WindowPlacement.fit(dialog);
     dialog.setVisible(true);
+    compare();
   }
 
   private void layOut(final Command end) {
@@ -69,9 +74,22 @@ final class Comparison {
     return dialog.isDisplayable();
   }
 
+  /** Compares the current picture in the background. */
   void compare() {
     final BufferedImage picture = view.picture();
-    final Optional<Difference> found = Difference.between(picture, reference);
+    worst.setEnabled(false);
+    mask.setEnabled(false);
+    background.execute(() -> {
+      final Optional<Difference> found = Difference.between(picture, reference);
+      SwingUtilities.invokeLater(() -> {
+        if (isOpen() && view.picture() == picture) {
+          show(picture, found);
+        }
+      });
+    });
+  }
+
+  private void show(final BufferedImage picture, final Optional<Difference> found) {
     difference = found.orElse(null);
     view.setOverlay(found.map(Difference::mask).orElse(null));
     worst.setEnabled(found.isPresent() && difference.differing() > 0);
@@ -82,6 +100,7 @@ final class Comparison {
         : Messages.text("window.compare.figures", difference.differing(), difference.largest(),
             String.format(Locale.ROOT, "%.4f", difference.mean())));
     dialog.pack();
+    WindowPlacement.fit(dialog);
   }
 
   private void showWorst() {
@@ -93,6 +112,7 @@ final class Comparison {
   }
 
   void end() {
+    background.stop();
     view.setOverlay(null);
     dialog.dispose();
   }

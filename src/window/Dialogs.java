@@ -6,14 +6,18 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
 
 import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
+import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
 import arguments.Messages;
@@ -30,6 +34,7 @@ final class Dialogs {
 
   private final RenderWindow window;
   private final WireframeView wireframe = new WireframeView();
+  private final LatestOnlyExecutor reading = new LatestOnlyExecutor("reference");
   private JDialog wireframeDialog;
   private Comparison comparison;
 
@@ -53,24 +58,46 @@ final class Dialogs {
     return name + ".png";
   }
 
-  /** Saves a picture to the chosen file. The user confirms before an existing file is replaced. */
+  /**
+   * Saves a picture to the chosen file, on a thread of its own, which also completes if the window is closed meanwhile. A
+   * file that is no PNG or is an input of the scene is refused; the user confirms before another existing file is replaced.
+   */
   void saveAs(final BufferedImage picture, final Path file) {
     final Path target = PictureFile.withExtension(file);
-    if (!Files.isRegularFile(target) || JOptionPane.showConfirmDialog(window.frame(), Messages.text("window.save.replace",
-        target),
-        "UPNaTRay", JOptionPane.YES_NO_OPTION, JOptionPane.WARNING_MESSAGE) == JOptionPane.YES_OPTION) {
-      save(picture, target);
+    final List<Path> inputs = window.session().inputs();
+    window.settings().setFolder(target.toAbsolutePath().getParent());
+    new Thread(() -> save(picture, target, inputs), "saving").start();
+  }
+
+  private void save(final BufferedImage picture, final Path target, final List<Path> inputs) {
+    try {
+      PngFile.check(target, inputs);
+      if (!Files.exists(target) || confirmsReplacing(target)) {
+        showStatus(Messages.text("window.status.saving", target));
+        PngFile.save(picture, target);
+        showStatus(Messages.text("window.status.saved", target));
+      }
+    } catch (final SaveException failure) {
+      showStatus(" ");
+      SwingUtilities.invokeLater(() -> showError(failure.getMessage()));
     }
   }
 
-  private void save(final BufferedImage picture, final Path target) {
+  /** Asks the user, on the event dispatch thread, and waits for the reply. */
+  private boolean confirmsReplacing(final Path target) {
+    final FutureTask<Boolean> question = new FutureTask<>(() -> JOptionPane.showConfirmDialog(window.frame(),
+        Messages.text("window.save.replace", target), "UPNaTRay", JOptionPane.YES_NO_OPTION,
+        JOptionPane.WARNING_MESSAGE) == JOptionPane.YES_OPTION);
+    SwingUtilities.invokeLater(question);
     try {
-      PngFile.save(picture, target);
-      window.settings().setFolder(target.toAbsolutePath().getParent());
-      window.status().showText(Messages.text("window.status.saved", target));
-    } catch (final SaveException failure) {
-      showError(failure.getMessage());
+      return question.get();
+    } catch (final InterruptedException | ExecutionException notAsked) {
+      return false;
     }
+  }
+
+  private void showStatus(final String text) {
+    SwingUtilities.invokeLater(() -> window.status().showText(text));
   }
 
   private void showError(final String message) {
@@ -96,14 +123,18 @@ final class Dialogs {
 
   /** Compares the picture, and each picture rendered from now on, with a reference file. */
   void compareWith(final Path file) {
-    try {
-      final BufferedImage reference = PictureFile.read(file);
-      endComparison();
-      comparison = new Comparison(window, reference, file);
-    } catch (final IOException failure) {
-      final String reason = failure.getMessage() == null ? failure.toString() : failure.getMessage();
-      showError(Messages.text("window.compare.failed", file, reason));
-    }
+    reading.execute(() -> {
+      try {
+        final BufferedImage reference = PictureFile.read(file);
+        SwingUtilities.invokeLater(() -> {
+          endComparison();
+          comparison = new Comparison(window, reference, file);
+        });
+      } catch (final IOException failure) {
+        final String reason = failure.getMessage() == null ? failure.toString() : failure.getMessage();
+        SwingUtilities.invokeLater(() -> showError(Messages.text("window.compare.failed", file, reason)));
+      }
+    });
   }
 
   /** Repeats an open comparison after a rendering. */
@@ -131,6 +162,7 @@ final class Dialogs {
       wireframeDialog.add(buttons, BorderLayout.SOUTH);
       wireframeDialog.pack();
       wireframeDialog.setLocationRelativeTo(window.frame());
+      WindowPlacement.fit(wireframeDialog);
       WireframeKeys.bind(wireframe, wireframeDialog::dispose);
     }
     wireframeDialog.setVisible(true);

@@ -70,6 +70,13 @@ final class InspectorPanel extends JPanel {
     clear();
   }
 
+  /** In a low window the plot leaves most of the height to the tree. */
+  @Override
+  public void doLayout() {
+    plot.setPreferredSize(new Dimension(200, Math.min(150, getHeight() / 3)));
+    super.doLayout();
+  }
+
   private void prepareTree() {
     tree.setName("inspection");
     ToolTipManager.sharedInstance().registerComponent(tree);

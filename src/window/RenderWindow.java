@@ -103,13 +103,14 @@ public final class RenderWindow {
   private void layOut() {
     frame.setJMenuBar(menus);
     frame.add(toolBar, BorderLayout.NORTH);
-    frame.add(Arrangement.of(view, legend, problems, inspector), BorderLayout.CENTER);
+    frame.add(WindowLayout.of(view, legend, problems, inspector), BorderLayout.CENTER);
     frame.add(status, BorderLayout.SOUTH);
     frame.getRootPane().setTransferHandler(new FileDrop(this::open));
     frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
     frame.setTitle("UPNaTRay");
     frame.setName("upnatray");
-    Arrangement.place(frame, settings.bounds());
+    frame.setBounds(WindowPlacement.place(settings.bounds(), settings.hasBounds(), WindowPlacement.usableAreas()));
+    frame.setExtendedState(settings.isMaximized() ? Frame.MAXIMIZED_BOTH : Frame.NORMAL);
   }
 
   /** Opens a scene file and watches it. A path that is not a scene file, such as a root folder, is listed as a problem. */
@@ -198,7 +199,8 @@ public final class RenderWindow {
 
   /** Closes the window. The program ends with its last window. */
   void close() {
-    if ((frame.getExtendedState() & Frame.MAXIMIZED_BOTH) == 0) {
+    settings.setMaximized((frame.getExtendedState() & Frame.MAXIMIZED_BOTH) == Frame.MAXIMIZED_BOTH);
+    if (!settings.isMaximized()) {
       settings.setBounds(frame.getBounds());
     }
     settings.save();

@@ -16,6 +16,7 @@ final class Session {
   private final SceneWatch watch = new SceneWatch(() -> SwingUtilities.invokeLater(this::render));
   private final int threads;
   private Path file;
+  private List<Path> inputs = List.of();
   private SceneFile scene;
   private RenderPass pass;
   private PictureSize size = PictureSize.OWN;
@@ -31,7 +32,8 @@ final class Session {
   void open(final Path path) {
     file = path;
     scene = null;
-    watch.watch(List.of(path));
+    inputs = List.of(path);
+    watch.watch(inputs);
     render();
   }
 
@@ -39,7 +41,8 @@ final class Session {
   void open(final SceneFile given) {
     file = null;
     scene = given;
-    watch.watch(List.of());
+    inputs = List.of();
+    watch.watch(inputs);
     render();
   }
 
@@ -56,9 +59,14 @@ final class Session {
 
   /** Watches the mesh files of the scene too. */
   void watchMeshes(final SceneFile read) {
-    final List<Path> files = new ArrayList<>(read.meshes());
-    files.add(file);
-    watch.watch(files);
+    inputs = new ArrayList<>(read.meshes());
+    inputs.add(file);
+    watch.watch(inputs);
+  }
+
+  /** The files of the scene, which must not be overwritten. */
+  List<Path> inputs() {
+    return List.copyOf(inputs);
   }
 
   /** The file of the scene; null if it has none. */

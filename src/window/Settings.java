@@ -36,9 +36,23 @@ final class Settings {
     preferences.putBoolean("dark", dark);
   }
 
+  /** The bounds of the last window, or the default ones. */
   Rectangle bounds() {
-    return new Rectangle(preferences.getInt("x", -1), preferences.getInt("y", -1),
-        preferences.getInt("width", 1180), preferences.getInt("height", 760));
+    return new Rectangle(preferences.getInt("x", 0), preferences.getInt("y", 0), preferences.getInt("width", 1180),
+        preferences.getInt("height", 760));
+  }
+
+  /** Whether the bounds are those of an earlier window, and so say where it was. */
+  boolean hasBounds() {
+    return preferences.getInt("width", 0) > 0;
+  }
+
+  boolean isMaximized() {
+    return preferences.getBoolean("maximized", false);
+  }
+
+  void setMaximized(final boolean maximized) {
+    preferences.putBoolean("maximized", maximized);
   }
 
   void setBounds(final Rectangle bounds) {

@@ -1,17 +1,17 @@
 package window;
 
+import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Point;
 import java.util.Locale;
 
 import javax.swing.Action;
 import javax.swing.BorderFactory;
-import javax.swing.Box;
-import javax.swing.BoxLayout;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
+import javax.swing.SwingConstants;
 
 import arguments.Messages;
 import upnatray.RenderJob;
@@ -30,27 +30,26 @@ final class StatusBar extends JPanel {
   private final JButton cancel;
 
   StatusBar(final Action cancelling) {
-    setLayout(new BoxLayout(this, BoxLayout.X_AXIS));
+    super(new BorderLayout(12, 0));
     setBorder(BorderFactory.createEmptyBorder(3, 8, 3, 8));
     pixel.setName("pixel");
     text.setName("status");
     progress.setName("progress");
     progress.getAccessibleContext().setAccessibleName(Messages.text("window.progress.name"));
-    progress.setMaximumSize(new Dimension(180, 18));
-    progress.setPreferredSize(new Dimension(180, 18));
+    progress.setPreferredSize(new Dimension(120, 18));
     cancel = new JButton(cancelling);
     cancel.setName("cancel");
     cancel.setHideActionText(false);
-    zoom.setPreferredSize(new Dimension(70, 18));
-    add(zoom);
-    add(Box.createHorizontalStrut(12));
-    add(pixel);
-    add(Box.createHorizontalGlue());
-    add(text);
-    add(Box.createHorizontalStrut(12));
-    add(progress);
-    add(Box.createHorizontalStrut(6));
-    add(cancel);
+    zoom.setPreferredSize(new Dimension(zoom.getFontMetrics(zoom.getFont()).stringWidth("00000.0 %"), 18));
+    text.setHorizontalAlignment(SwingConstants.TRAILING);
+    final JPanel left = new JPanel(new BorderLayout(12, 0)), right = new JPanel(new BorderLayout(6, 0));
+    left.add(zoom, BorderLayout.WEST);
+    left.add(pixel, BorderLayout.CENTER);
+    right.add(progress, BorderLayout.CENTER);
+    right.add(cancel, BorderLayout.EAST);
+    add(left, BorderLayout.WEST);
+    add(text, BorderLayout.CENTER);
+    add(right, BorderLayout.EAST);
     setPreferredSize(getPreferredSize());
     setRunning(false);
   }
@@ -86,6 +85,7 @@ final class StatusBar extends JPanel {
 
   void showText(final String message) {
     text.setText(message);
+    text.setToolTipText(message);
   }
 
   private static String seconds(final double seconds) {

@@ -2,6 +2,7 @@ package window;
 
 import java.awt.Component;
 import java.awt.event.ActionListener;
+import java.util.List;
 import java.util.Optional;
 
 import javax.swing.DefaultListCellRenderer;
@@ -29,9 +30,9 @@ final class ToolBar extends JToolBar {
     this.window = window;
     setName("tools");
     setFloatable(false);
-    addButton("open", window::chooseScene);
-    add(new JButton(window.renderCommand())).setName("render");
-    addButton("save", window::choosePicture);
+    final JButton open = addButton("open", window::chooseScene), render = new JButton(window.renderCommand());
+    add(render).setName("render");
+    final JButton save = addButton("save", window::choosePicture);
     addSeparator();
     size.setName("size");
     size.setEditable(true);
@@ -45,14 +46,18 @@ final class ToolBar extends JToolBar {
     pass.setMaximumSize(pass.getPreferredSize());
     addLabelled("pass", pass, event -> applyPass());
     addSeparator();
-    addButton("fit", () -> window.view().fit());
-    addButton("oneToOne", () -> window.view().oneToOne());
-    addButton("wireframe", window::showWireframe);
-    addButton("compare", window::chooseReference);
+    final JButton fit = addButton("fit", () -> window.view().fit());
+    final JButton oneToOne = addButton("oneToOne", () -> window.view().oneToOne());
+    final JButton wireframe = addButton("wireframe", window::showWireframe);
+    final JButton compare = addButton("compare", window::chooseReference);
+    setLayout(new ToolBarLayout(List.of(compare, save, open, oneToOne, wireframe, fit, render)));
   }
 
-  private void addButton(final String key, final Runnable job) {
-    add(new JButton(Command.of(key, "", job))).setName(key);
+  private JButton addButton(final String key, final Runnable job) {
+    final JButton button = new JButton(Command.of(key, "", job));
+    button.setName(key);
+    add(button);
+    return button;
   }
 
   private void addLabelled(final String key, final JComboBox<?> box, final ActionListener listener) {

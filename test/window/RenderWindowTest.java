@@ -127,11 +127,11 @@ class RenderWindowTest {
     return task.get();
   }
 
-  private static void waitFor(final Callable<Boolean> condition) throws Exception {
+  private void waitFor(final Callable<Boolean> condition) throws Exception {
     final long end = System.nanoTime() + 20_000_000_000L;
     while (!on(condition)) {
       if (System.nanoTime() > end) {
-        fail("the condition did not become true within 20 seconds");
+        fail("the condition did not become true within 20 seconds; status: " + label("status"));
       }
       Thread.sleep(20);
     }
@@ -520,14 +520,18 @@ class RenderWindowTest {
     final Path file = folder.resolve("saved.png");
     on(() -> {
       window.dialogs().saveAs(window.view().picture(), file);
+      return null;
+    });
+    waitFor(() -> label("status").startsWith("saved"));
+    on(() -> {
       window.dialogs().compareWith(file);
       return null;
     });
+    waitFor(() -> isShowing("comparison") && label("figures").contains("differ"));
     assertEquals(RED, ImageIO.read(file.toFile()).getRGB(40, 30));
     assertTrue(label("figures").startsWith("0 pixels differ"), label("figures"));
     Files.writeString(scene, SCENE.replace("<radius>1</radius>", "<radius>0.9</radius>"));
-    waitFor(() -> !label("figures").startsWith("0 pixels"));
-    assertTrue(on(() -> window.view().hasOverlay()));
+    waitFor(() -> !label("figures").startsWith("0 pixels") && window.view().hasOverlay());
     press("compare.worst");
     final Point worst = on(() -> window.view().pinned());
     assertNotNull(worst);
@@ -550,20 +554,45 @@ class RenderWindowTest {
   }
 
   @Test
-  void aFileIsReplacedOnlyOnConfirmation() throws Exception {
-    final Path taken = Files.writeString(folder.resolve("taken.png"), "a letter");
-    for (final int answer : new int[] {JOptionPane.NO_OPTION, JOptionPane.YES_OPTION}) {
-      assertEquals("a letter", Files.readString(taken));
-      SwingUtilities.invokeLater(() -> window.dialogs().saveAs(window.view().picture(), taken));
+  void aPictureIsReplacedOnlyOnConfirmation() throws Exception {
+    final Path taken = folder.resolve("taken.png");
+    ImageIO.write(new BufferedImage(3, 2, BufferedImage.TYPE_INT_RGB), "png", taken.toFile());
+    for (final int reply : new int[] {JOptionPane.NO_OPTION, JOptionPane.YES_OPTION}) {
+      assertEquals(3, ImageIO.read(taken.toFile()).getWidth());
+      on(() -> {
+        window.dialogs().saveAs(window.view().picture(), taken);
+        return null;
+      });
       waitFor(() -> complaint() != null);
       on(() -> {
-        complaint().setValue(answer);
+        complaint().setValue(reply);
         return null;
       });
       waitFor(() -> complaint() == null);
-      on(() -> null);
     }
+    waitFor(() -> label("status").startsWith("saved"));
     assertEquals(RED, ImageIO.read(taken.toFile()).getRGB(40, 30));
+  }
+
+  @Test
+  void nothingButAPictureIsReplacedAndNoInput() throws Exception {
+    final Path letter = Files.writeString(folder.resolve("letter.png"), "a letter");
+    final Path link = Files.createSymbolicLink(folder.resolve("link.png"), scene);
+    for (final Path file : List.of(letter, link)) {
+      final String before = Files.readString(file);
+      on(() -> {
+        window.dialogs().saveAs(window.view().picture(), file);
+        return null;
+      });
+      waitFor(() -> complaint() != null);
+      assertTrue(on(() -> complaint().getMessage().toString()).contains(file.getFileName().toString()));
+      on(() -> {
+        complaint().setValue(JOptionPane.OK_OPTION);
+        return null;
+      });
+      waitFor(() -> complaint() == null);
+      assertEquals(before, Files.readString(file));
+    }
   }
 
   private static JOptionPane complaint() {
@@ -584,6 +613,7 @@ class RenderWindowTest {
       window.dialogs().compareWith(file);
       return null;
     });
+    waitFor(() -> isShowing("comparison") && !label("figures").startsWith("Comparing"));
     assertTrue(label("figures").startsWith("The reference has 3 x 2 pixels, the picture 80 x 60"), label("figures"));
     assertFalse(on(() -> window.view().hasOverlay() || find("compare.worst").isEnabled()));
     press("compare.close");
@@ -640,6 +670,41 @@ class RenderWindowTest {
     });
     assertEquals(900, new Settings(preferences).bounds().width);
     assertEquals(folder.toAbsolutePath(), new Settings(preferences).folder());
+  }
+
+  @Test
+  void aSmallWindowKeepsThePictureAndTheSize() throws Exception {
+    on(() -> {
+      window.frame().setSize(420, 300);
+      return null;
+    });
+    waitFor(() -> window.view().getWidth() >= 230 && window.view().getWidth() < 420 && find("size").getWidth() > 50);
+    assertTrue(on(() -> window.inspector().getWidth()) >= 140);
+    assertEquals(0, on(() -> find("compare").getWidth()));
+    on(() -> {
+      window.frame().setSize(1100, 600);
+      return null;
+    });
+    waitFor(() -> Math.abs(window.inspector().getWidth() - window.inspector().getPreferredSize().width) <= 2);
+    assertTrue(on(() -> find("compare").getWidth()) > 0);
+  }
+
+  @Test
+  void theWindowIsWithinTheScreenAndReturnsToItsPlace() throws Exception {
+    final Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+    assertTrue(screen.contains(on(() -> window.frame().getBounds())));
+    final Rectangle place = new Rectangle(screen.x + 31, screen.y + 42, 500, 400);
+    on(() -> {
+      window.frame().setBounds(place);
+      return null;
+    });
+    waitFor(() -> window.frame().getBounds().equals(place));
+    on(() -> {
+      window.close();
+      window = new RenderWindow(new Settings(preferences), RenderPass.COLOUR, 2);
+      return null;
+    });
+    assertEquals(place, on(() -> window.frame().getBounds()));
   }
 
   private static void assertNamed(final Container container) {
