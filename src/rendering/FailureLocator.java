@@ -1,6 +1,7 @@
 package rendering;
 
 import static arguments.Arguments.notNull;
+import static arguments.Arguments.wrongState;
 
 import java.util.List;
 
@@ -12,44 +13,47 @@ import tracer.Ray;
 import tracer.RayGenerator;
 
 /**
- * Finds out, after a tile has failed, which object failed at which pixel, so that the author of the object reads more than
- * where the exception was thrown. The pixels are asked once more one by one, which nobody waits for.
+ * Finds out, after a tile has failed, which object, light, or material failed at which pixel, so that its author reads more
+ * than where the exception was thrown. The pixels are computed once more one by one, which nobody waits for.
  */
 final class FailureLocator {
 
   private final Group3D scene;
   private final RayGenerator generator;
+  private final Shading shading;
 
-  FailureLocator(final Group3D scene, final RayGenerator generator) {
+  FailureLocator(final Group3D scene, final RayGenerator generator, final Shading shading) {
     this.scene = scene;
     this.generator = generator;
+    this.shading = shading;
   }
 
-  /** What to throw for the failure of a tile: an explanation with the failure as its cause, or else the failure itself. */
-  RuntimeException explain(final RuntimeException failure, final int m, final int n, final int width, final int height) {
-    final IllegalStateException explanation = explanation(failure, m, n, width, height);
-    return explanation == null ? failure : explanation;
-  }
-
-  /** What to throw for a full stack: an object that calls itself for ever, or else objects within too many others. */
-  IllegalStateException explain(final StackOverflowError failure, final int m, final int n, final int width,
-      final int height) {
+  /**
+   * What to throw for the failure of a tile: an explanation with the failure as its cause, or else the failure itself. A
+   * full stack is the work of an object that calls itself for ever, or else of objects within too many others.
+   */
+  RuntimeException explain(final Throwable failure, final int m, final int n, final int width, final int height) {
+    final Throwable cause = failure instanceof TracingFailure ? failure.getCause() : failure;
     IllegalStateException explanation = null;
     try {
-      explanation = explanation(failure, m, n, width, height);
+      explanation = explanation(cause, m, n, width, height);
     } catch (StackOverflowError tooDeepForThisToo) {
-      // The explanation below holds all the more.
+      // What follows holds all the more.
     }
-    return explanation == null ? new IllegalStateException(Messages.text("rendering.tooDeep"), failure) : explanation;
+    if (explanation != null) {
+      return explanation;
+    }
+    return cause instanceof RuntimeException ? (RuntimeException) cause
+        : new IllegalStateException(Messages.text("rendering.tooDeep"), cause);
   }
 
-  private IllegalStateException explanation(final Throwable failure, final int m, final int n, final int width,
+  private IllegalStateException explanation(final Throwable cause, final int m, final int n, final int width,
       final int height) {
     for (int row = n; row < n + height; row++) {
       for (int column = m; column < m + width; column++) {
-        final String fault = fault(column, row, failure);
+        final String fault = fault(column, row, cause);
         if (fault != null) {
-          return new IllegalStateException(fault, failure);
+          return new IllegalStateException(fault, cause);
         }
       }
     }
@@ -57,15 +61,35 @@ final class FailureLocator {
   }
 
   /** What fails at a pixel, in words; null if nothing does. */
-  private String fault(final int m, final int n, final Throwable failure) {
+  private String fault(final int m, final int n, final Throwable cause) {
     final Ray ray;
     try {
       ray = generator.getRay(m, n);
     } catch (RuntimeException | StackOverflowError generatorFails) {
-      return Messages.text("rendering.rayFails", generator.getClass().getName(), m, n, failure);
+      return Messages.text("rendering.rayFails", generator.getClass().getName(), m, n, cause);
     }
-    final String call = ray == null ? null : failing(scene, ray);
-    return call == null ? null : Messages.text("rendering.objectFails", call, m, n, ray, failure);
+    if (ray == null) {
+      return wrongState("nullRay", generator.getClass().getName(), m, n).getMessage();
+    }
+    final String call = failing(scene, ray);
+    return call == null ? faultOfShading(ray, m, n, cause) : Messages.text("rendering.objectFails", call, m, n, ray, cause);
+  }
+
+  private String faultOfShading(final Ray ray, final int m, final int n, final Throwable cause) {
+    try {
+      final Hit hit = scene.intersectionWith(ray);
+      if (hit.hits()) {
+        shading.argb(ray, hit);
+      }
+      return null;
+    } catch (TracingFailure failure) {
+      final String call = failure.call() == null ? failing(scene, failure.ray()) : failure.call();
+      return call == null ? Messages.text("rendering.shadingFails", shading.getClass().getName(), m, n, cause)
+          : Messages.text("rendering.objectFails", call, m, n, failure.ray(), failure.getCause());
+    } catch (RuntimeException | StackOverflowError failure) {
+      return cause instanceof StackOverflowError ? null
+          : Messages.text("rendering.shadingFails", shading.getClass().getName(), m, n, cause);
+    }
   }
 
   /** The method that fails for a ray, of an object or of one within it; null if there is none. */

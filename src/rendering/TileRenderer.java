@@ -62,6 +62,9 @@ public final class TileRenderer {
    * @return false if the rendering was stopped before its end
    */
   public boolean run(final ThreadFactory factory) {
+    if (rendering.pixelLoop()) {
+      return new PixelLoop(scene, generator, rendering, background).run(pixels);
+    }
     final Thread[] helpers = new Thread[Math.min(rendering.threads(), tiles) - 1];
     final int started = start(helpers, factory);
     work();
@@ -117,10 +120,8 @@ public final class TileRenderer {
       for (int row = 0; row < height; row++) {
         paint(hits, row * RayTile.SIZE, width, (H - 1 - n - row) * W + m);
       }
-    } catch (RuntimeException e) {
-      throw new FailureLocator(scene, generator).explain(e, m, n, width, height);
-    } catch (StackOverflowError e) {
-      throw new FailureLocator(scene, generator).explain(e, m, n, width, height);
+    } catch (RuntimeException | StackOverflowError e) {
+      throw new FailureLocator(scene, generator, rendering.shading()).explain(e, m, n, width, height);
     }
     if (!rendering.progress().tileDone(m, H - n - height, width, height)) {
       stopped = true;

@@ -434,9 +434,18 @@ public final class Hit {
   }
 
   /**
-   * The ray that leaves the point of this hit. It starts off the surface, on the side it goes to, by the error bound and at
-   * most 10<sup>−6</sup> of the largest number of the hit. If the accuracy of the hit is unknown, the ray does not hit the
-   * object that it leaves within 10<sup>−4</sup> of that number: see {@link Ray#isBlindTo}.
+   * How far off the surface the rays start that leave the point of this hit.
+   *
+   * @return the error bound, at most 10<sup>−6</sup> of the largest number of the hit
+   */
+  public double offset() {
+    return Math.min(error, GREATEST_OFFSET * scale());
+  }
+
+  /**
+   * The ray that leaves the point of this hit. It starts off the surface by {@link #offset()}, on the side
+   * it goes to. If the accuracy of the hit is unknown, the ray does not hit the object that it leaves within
+   * 10<sup>−4</sup> of the largest number of the hit: see {@link Ray#isBlindTo}.
    *
    * @param outside whether it starts on the outer side, where the geometric normal points
    * @param dx first component of its direction, of unit length
@@ -445,7 +454,7 @@ public final class Hit {
    * @return the ray, in double
    */
   public Ray leave(final boolean outside, final double dx, final double dy, final double dz) {
-    final double offset = Math.min(error, GREATEST_OFFSET * scale()), k = outside ? offset : -offset;
+    final double k = outside ? offset() : -offset();
     final double startX = x + k * geometricX, startY = y + k * geometricY, startZ = z + k * geometricZ;
     return error < Double.POSITIVE_INFINITY ? Ray.exactly(startX, startY, startZ, dx, dy, dz)
         : Ray.leaving(startX, startY, startZ, dx, dy, dz, object, BLIND * scale());

@@ -10,7 +10,9 @@ import java.awt.image.DataBufferInt;
 import java.util.Arrays;
 import java.util.concurrent.ThreadFactory;
 
+import lights.LightGroup;
 import models.Group3D;
+import rendering.Illumination;
 import rendering.RenderSettings;
 import rendering.TileRenderer;
 import view.Camera;
@@ -21,6 +23,8 @@ import view.Camera;
  * <p>Row 0 of the assignment's pixels is the bottom one: pixel (m, n) of the rays is {@code getRGB(m, H - 1 - n)}.
  */
 public class Image extends BufferedImage {
+
+  private static final int RECURSION_DEPTH = 5;
 
   private final int background;
 
@@ -72,6 +76,21 @@ public class Image extends BufferedImage {
    */
   public boolean synthesis(final Group3D scene, final Camera camera, final RenderSettings rendering) {
     return synthesis(scene, camera, rendering, Thread::new);
+  }
+
+  /**
+   * Computes all pixels of a lit scene, by {@link RenderSettings#STANDARD} and an {@link Illumination} before this image's
+   * background, with rays up to depth 5.
+   *
+   * @param scene the scene, which must not change meanwhile
+   * @param camera the camera
+   * @param lights the lights
+   * @throws IllegalArgumentException if an argument is null
+   * @throws IllegalStateException if the camera has no projection
+   */
+  public void synthesis(final Group3D scene, final Camera camera, final LightGroup lights) {
+    synthesis(scene, camera, RenderSettings.STANDARD.withShading(
+        new Illumination(scene, lights, RECURSION_DEPTH, new Color(background, true))));
   }
 
   /** The same by threads of somebody's making, who may want to know what time they take. */

@@ -3,6 +3,8 @@ package window;
 import java.util.Optional;
 
 import arguments.Messages;
+import lights.Light;
+import materials.Material;
 import models.Object3D;
 
 import rendering.TileRenderer;
@@ -28,7 +30,7 @@ final class StallDetector {
         : Optional.of(Messages.text("window.status.stalled", (int) seconds, place().orElse("?")));
   }
 
-  /** The innermost method of an object that a rendering thread is in. */
+  /** The innermost method of an object, a light, or a material that a rendering thread is in. */
   private static Optional<String> place() {
     for (final StackTraceElement[] trace : Thread.getAllStackTraces().values()) {
       final Optional<String> place = place(trace);
@@ -55,7 +57,9 @@ final class StallDetector {
 
   private static boolean isObject(final String name) {
     try {
-      return Object3D.class.isAssignableFrom(Class.forName(name, false, Thread.currentThread().getContextClassLoader()));
+      final Class<?> type = Class.forName(name, false, Thread.currentThread().getContextClassLoader());
+      return Object3D.class.isAssignableFrom(type) || Light.class.isAssignableFrom(type)
+          || Material.class.isAssignableFrom(type);
     } catch (final ClassNotFoundException | LinkageError hidden) {
       return false;
     }

@@ -10,6 +10,7 @@ import java.awt.image.BufferedImage;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicInteger;
 
+import lights.LightGroup;
 import models.Group3D;
 import models.Sphere;
 import org.junit.jupiter.api.Test;
@@ -164,7 +165,8 @@ class ImageTest {
     final Camera camera = camera(new Perspective(60, 1));
     assertThrows(IllegalArgumentException.class, () -> image.synthesis(null, camera));
     assertThrows(IllegalArgumentException.class, () -> image.synthesis(new Group3D(), null));
-    assertThrows(IllegalArgumentException.class, () -> image.synthesis(new Group3D(), camera, null));
+    assertThrows(IllegalArgumentException.class, () -> image.synthesis(new Group3D(), camera, (RenderSettings) null));
+    assertThrows(IllegalArgumentException.class, () -> image.synthesis(new Group3D(), camera, (LightGroup) null));
   }
 
   @Test
