@@ -213,7 +213,7 @@ class IlluminationTest {
 
   @Test
   void sceneOfAnotherScaleHasTheSamePicture() {
-    for (final float s : new float[] {1e-3f, 1e3f}) {
+    for (final float s : new float[] {0x1p-10f, 0x1p10f}) {
       final double[][] L = new double[2][];
       for (int i = 0; i < 2; i++) {
         final float k = i == 0 ? 1 : s;
