@@ -24,6 +24,8 @@ import tracer.RayGenerator;
 public class Camera {
 
   private final Point3D position;
+  private final Point3D lookAt;
+  private final Vector3D up;
   private final Matrix4d toScene;
   private Projection optics;
 
@@ -44,6 +46,8 @@ public class Camera {
     final Vector3d look = new Vector3d((double) C.x - V.x, (double) C.y - V.y, (double) C.z - V.z);
     look.normalize();
     notParallel("up", up, "C - V", new Vector3D((float) look.x, (float) look.y, (float) look.z));
+    lookAt = new Point3D(C);
+    this.up = new Vector3D(up);
     final Vector3d x = new Vector3d(), y = new Vector3d();
     x.cross(look, new Vector3d(up));
     x.normalize();
@@ -127,6 +131,24 @@ public class Camera {
    */
   public Vector3D getLook() {
     return new Vector3D((float) -toScene.m02, (float) -toScene.m12, (float) -toScene.m22);
+  }
+
+  /**
+   * The point that the camera looks at, as it was given.
+   *
+   * @return a new point
+   */
+  public Point3D getLookAt() {
+    return new Point3D(lookAt);
+  }
+
+  /**
+   * The vector that appears upright in the picture, as it was given.
+   *
+   * @return a new vector, of any length
+   */
+  public Vector3D getUp() {
+    return new Vector3D(up);
   }
 
   /** First coordinate of the position; the other two below. */
