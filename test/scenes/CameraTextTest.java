@@ -90,7 +90,8 @@ class CameraTextTest {
 
   @Test
   void aFileWithoutSuchACameraStaysAsItIs() throws IOException {
-    for (final String text : new String[] {xml("<camera><position>1 2</position></camera>"), xml(""), "<image>", "", "<a/>"}) {
+    final String partial = "<camera><position>1 2</position></camera>";
+    for (final String text : new String[] {xml(partial), xml(""), "<image>", "", "<a/>"}) {
       final Path file = file(text, StandardCharsets.UTF_8);
       assertThrows(IOException.class, () -> MOVED.writeTo(file), text);
       assertEquals(text, Files.readString(file));
