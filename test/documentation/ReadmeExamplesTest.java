@@ -90,6 +90,18 @@ class ReadmeExamplesTest {
     assertTrue(low.getRed() > low.getGreen() && low.getGreen() == low.getBlue(), "the pink disc, not " + low);
   }
 
+  @Test
+  void theLightAndTheMaterialOfOnesOwnAreInTheLitPicture() throws Exception {
+    final Compilation compilation = new Compilation(folder).add("Candle.java", source("Candle"))
+        .add("Toon.java", source("Toon"))
+        .add("Lit.java", source("Lit"));
+    compilation.succeeds();
+    assertEquals("", compilation.run("Lit"));
+    final BufferedImage picture = ImageIO.read(folder.resolve("lit.png").toFile());
+    final Color bright = new Color(picture.getRGB(390, 150)), dark = new Color(picture.getRGB(325, 220));
+    assertTrue(bright.getRed() > 2 * bright.getBlue() && bright.getRed() > dark.getRed() + 40, bright + ", " + dark);
+  }
+
   /** A block without a class of its own is what is written into the disc. */
   @Test
   void everyBlockCompiles() throws IOException {
@@ -102,7 +114,7 @@ class ReadmeExamplesTest {
       }
     }
     assertEquals(1, members);
-    assertEquals(3, blocks.size());
+    assertEquals(6, blocks.size());
   }
 
   /** As told in words: the lines of the first program up to the projection, and then the call. */
