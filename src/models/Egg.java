@@ -6,6 +6,7 @@ import static arguments.Arguments.positive;
 import java.awt.Color;
 import java.util.List;
 
+import materials.Material;
 import primitives.BoundingBox;
 import primitives.Point3D;
 import primitives.Vector3D;
@@ -48,7 +49,28 @@ public class Egg extends Object3D {
    *     or if b is not greater than w
    */
   public Egg(final Point3D C, final Vector3D axis, final float a, final float b, final float w, final Color color) {
-    super(color);
+    this(C, axis, a, b, w, Appearance.of(color));
+  }
+
+  /**
+   * An egg of a material.
+   *
+   * @param C centre of the frame, halfway between the poles
+   * @param axis direction of the axis, towards the pointed pole, of any length but 0
+   * @param a largest radius, &gt; 0
+   * @param b distance of both poles from C, &gt; w
+   * @param w distance below C at which the radius is largest, &gt; 0
+   * @param material material
+   * @throws IllegalArgumentException if an argument is null or not finite, if the axis is zero, if a or w is not positive,
+   *     or if b is not greater than w
+   */
+  public Egg(final Point3D C, final Vector3D axis, final float a, final float b, final float w, final Material material) {
+    this(C, axis, a, b, w, Appearance.of(material));
+  }
+
+  private Egg(final Point3D C, final Vector3D axis, final float a, final float b, final float w,
+      final Appearance appearance) {
+    super(appearance);
     this.axis = new Axis("C", C, "axis", axis);
     this.profile = new EggProfile(positive("a", a), greater("b", positive("b", b), "w", positive("w", w)), w);
     this.box = box();

@@ -7,6 +7,7 @@ import static arguments.Arguments.wrong;
 import java.awt.Color;
 import java.util.List;
 
+import materials.Material;
 import primitives.BoundingBox;
 import primitives.Point3D;
 import primitives.Vector3D;
@@ -62,7 +63,29 @@ public class TruncatedCone extends Object3D {
    *     are 0, or if l is not positive
    */
   public TruncatedCone(final Point3D P, final Vector3D u, final float rA, final float rB, final float l, final Color color) {
-    super(color);
+    this(P, u, rA, rB, l, Appearance.of(color));
+  }
+
+  /**
+   * A truncated cone of a material.
+   *
+   * @param P middle of the axis segment, which runs from A = P − (l/2) û to B = P + (l/2) û
+   * @param u direction of the axis, of any length but 0
+   * @param rA radius at A, ≥ 0
+   * @param rB radius at B, ≥ 0, not 0 if rA is
+   * @param l length along the axis, &gt; 0
+   * @param material material
+   * @throws IllegalArgumentException if an argument is null or not finite, if u is zero, if a radius is negative or both
+   *     are 0, or if l is not positive
+   */
+  public TruncatedCone(final Point3D P, final Vector3D u, final float rA, final float rB, final float l,
+      final Material material) {
+    this(P, u, rA, rB, l, Appearance.of(material));
+  }
+
+  private TruncatedCone(final Point3D P, final Vector3D u, final float rA, final float rB, final float l,
+      final Appearance appearance) {
+    super(appearance);
     this.axis = new Axis("P", P, "u", u);
     this.rA = notNegative("rA", rA);
     this.rB = notNegative("rB", rB);

@@ -4,13 +4,20 @@ import java.util.Arrays;
 import java.util.List;
 
 import arguments.Messages;
+import lights.Directional;
+import lights.Light;
+import lights.Omnidirectional;
+import lights.Spot;
+import primitives.Point3D;
+import radiometry.SpectrumRGB;
 
-/** Reads the lights of a scene file, as far as to tell what is wrong with them: they have no effect yet. */
+/** Reads the lights of a scene file. */
 final class LightReader {
 
   /** How far from 1 the sum of the shares of a spectrum may be. */
   private static final double TOLERANCE = 1e-4;
 
+  /** Half angles of cones. */
   private static final Range CONE = new Range(0, false, 90, true);
 
   private final Values values;
@@ -21,30 +28,46 @@ final class LightReader {
     this.types = types;
   }
 
-  void read(final Element light) {
+  /** The light of an element; null if something is wrong with it. */
+  Light read(final Element light) {
+    final int before = values.problems().errors();
     final String type = values.attribute(light, "type", types);
-    spectrum(light);
-    values.number(light, "power", Range.POSITIVE);
+    final float[] shares = spectrum(light);
+    final float power = values.number(light, "power", Range.POSITIVE);
     final float[] position = values.triple(light, "position", Range.ANY);
-    if ("directional".equals(type) || "spot".equals(type)) {
-      final float[] lookAt = values.triple(light, "lookAt", Range.ANY);
-      if (position != null && lookAt != null && Arrays.equals(position, lookAt)) {
-        final Element value = light.find("lookAt");
-        values.problems().error(value.valueOffset(), "samePoint", "lookAt", "position", Messages.quote(value.text()));
-      }
+    final float[] lookAt = "directional".equals(type) || "spot".equals(type) ? lookAt(light, position) : null;
+    final float size = "directional".equals(type) ? values.number(light, "radius", Range.POSITIVE)
+        : "spot".equals(type) ? values.number(light, "aperture", CONE) : 0;
+    if (values.problems().errors() > before) {
+      return null;
     }
-    if ("directional".equals(type)) {
-      values.number(light, "radius", Range.POSITIVE);
-    } else if ("spot".equals(type)) {
-      values.number(light, "aperture", CONE);
-    }
+    final SpectrumRGB spectrum = new SpectrumRGB(shares[0], shares[1], shares[2]);
+    return switch (type) {
+      case "directional" -> new Directional(point(position), point(lookAt), size, spectrum, power);
+      case "spot" -> new Spot(point(position), point(lookAt), size, spectrum, power);
+      default -> new Omnidirectional(point(position), spectrum, power);
+    };
   }
 
-  private void spectrum(final Element light) {
+  private float[] lookAt(final Element light, final float[] position) {
+    final float[] lookAt = values.triple(light, "lookAt", Range.ANY);
+    if (position != null && lookAt != null && Arrays.equals(position, lookAt)) {
+      final Element value = light.find("lookAt");
+      values.problems().error(value.valueOffset(), "samePoint", "lookAt", "position", Messages.quote(value.text()));
+    }
+    return lookAt;
+  }
+
+  private float[] spectrum(final Element light) {
     final float[] shares = values.triple(light, "spectrum", Range.NOT_NEGATIVE);
     if (shares != null && !(Math.abs((double) shares[0] + shares[1] + shares[2] - 1) <= TOLERANCE)) {
       final Element value = light.find("spectrum");
       values.problems().error(value.valueOffset(), "spectrum", Messages.quote(value.text()));
     }
+    return shares;
+  }
+
+  private static Point3D point(final float[] triple) {
+    return new Point3D(triple[0], triple[1], triple[2]);
   }
 }

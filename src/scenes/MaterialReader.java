@@ -1,16 +1,30 @@
 package scenes;
 
-import java.awt.Color;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
 import arguments.Messages;
+import materials.AshikhminShirley;
+import materials.Beckmann;
+import materials.Blinn;
+import materials.GGX;
+import materials.Horn;
+import materials.IdealConductor;
+import materials.IdealDielectric;
+import materials.Material;
+import materials.NormalDistributionFunction;
+import materials.OrenNayar;
+import materials.PhongLafortune;
+import materials.ReflectiveCookTorrance;
+import materials.Torrance;
+import materials.TransmissiveCookTorrance;
+import radiometry.ReflectanceRGB;
 
 /**
- * Reads the materials of a scene file: tells what is wrong with them and keeps, of each, the colour that stands for it
- * as long as materials have no effect, the sum of its reflectances.
+ * Reads the materials of a scene file. Children that a type does not use are accepted, but a wrong value in them is an error
+ * all the same. Where illumination is on, a surface that is perhaps not meant to look as it will is worth a warning.
  */
 final class MaterialReader {
 
@@ -19,54 +33,122 @@ final class MaterialReader {
   private static final List<String> BTDF = List.of("Ideal-Dielectric", "Cook-Torrance");
   private static final List<String> NDF = List.of("Blinn", "Horn", "Torrance", "GGX", "Beckmann");
 
+  /** Index of refraction of air. */
+  private static final float AIR = 1.0002926f;
+
   /** How far the sum of two reflectances, each rounded to a float, may exceed 1. */
   private static final double TOLERANCE = 1e-6;
 
   private final Values values;
-  private final Map<String, Color> colours = new HashMap<>();
+  private final boolean illumination;
+  private final Map<String, Material> materials = new HashMap<>();
 
-  MaterialReader(final Values values) {
+  MaterialReader(final Values values, final boolean illumination) {
     this.values = values;
+    this.illumination = illumination;
   }
 
   /** The ids of all materials, also of those at fault. */
   Set<String> ids() {
-    return colours.keySet();
+    return materials.keySet();
   }
 
-  /** The colour that stands for a material; null if there is none of this id. */
-  Color colour(final String id) {
-    return colours.get(id);
+  /** The material of an id; null if there is none, or if it is at fault. */
+  Material get(final String id) {
+    return materials.get(id);
   }
 
   /** Reads an element {@code brdf} or {@code btdf}; of two with one id the later one counts. */
-  void read(final Element material) {
-    final boolean brdf = material.name().equals("brdf");
-    final String id = values.attribute(material, "id");
-    final String type = values.attribute(material, "type", brdf ? BRDF : BTDF);
-    final Color colour = brdf ? reflecting(material, type) : refracting(material);
-    values.oneOf(material, "ndf", NDF, "Blinn");
-    values.number(material, "beta", Range.RIGHT_ANGLE, 0);
-    if (id != null && colours.put(id, colour) != null) {
-      values.problems().warning(material.attribute("id").offset(), "repeatedId", material.name(), Messages.quote(id));
+  void read(final Element element) {
+    final boolean brdf = element.name().equals("brdf");
+    final String id = values.attribute(element, "id");
+    final int before = values.problems().errors();
+    final String type = values.attribute(element, "type", brdf ? BRDF : BTDF);
+    final String ndf = values.oneOf(element, "ndf", NDF, "Blinn");
+    final float beta = values.number(element, "beta", Range.RIGHT_ANGLE, 0);
+    final Material material = brdf ? reflecting(element, type, ndf, beta, before)
+        : refracting(element, type, ndf, beta, before);
+    if (id != null) {
+      if (materials.containsKey(id)) {
+        values.problems().warning(element.attribute("id").offset(), "repeatedId", element.name(), Messages.quote(id));
+      }
+      materials.put(id, material);
     }
   }
 
-  private Color reflecting(final Element material, final String type) {
-    final float[] diffuse = reflectance(material, "diffuseReflectance", needsDiffuse(type));
-    final float[] conductive = reflectance(material, "conductiveReflectance", needsConductive(type));
-    values.number(material, "sigma", Range.RIGHT_ANGLE, 0);
-    values.number(material, "alpha", Range.ANY, 0);
-    if (!needsDiffuse(type) && !needsConductive(type) && isBlack(diffuse) && isBlack(conductive)) {
-      values.problems().error(material.offset(), "noReflectance", material.name());
+  private Material reflecting(final Element element, final String type, final String ndf, final float beta,
+      final int errorsBefore) {
+    final float[] diffuse = reflectance(element, "diffuseReflectance", needsDiffuse(type));
+    final float[] conductive = reflectance(element, "conductiveReflectance", needsConductive(type));
+    final float sigma = values.number(element, "sigma", Range.RIGHT_ANGLE, 0);
+    values.number(element, "alpha", Range.ANY, 0);
+    final boolean lobe = !"Oren-Nayar".equals(type) && !"Ideal-Conductor".equals(type);
+    if (type != null && !needsDiffuse(type) && !needsConductive(type)) {
+      checkEnergy(element, diffuse, conductive);
     }
-    final float[] sum = {diffuse[0] + conductive[0], diffuse[1] + conductive[1], diffuse[2] + conductive[2]};
-    final boolean energy = Math.max(sum[0], Math.max(sum[1], sum[2])) <= 1 + TOLERANCE;
-    if (("Phong-Lafortune".equals(type) || "Phong".equals(type) || "Cook-Torrance".equals(type)) && !energy) {
-      final Element value = material.find("conductiveReflectance");
-      values.problems().error(value.valueOffset(), "reflectsMore", Messages.quote(value.text()));
+    if (lobe && !isBlack(conductive)) {
+      warnIfPolished(element);
     }
-    return Colours.colour(sum, 255);
+    if (values.problems().errors() > errorsBefore) {
+      return null;
+    }
+    final NormalDistributionFunction distribution = lobe ? distribution(ndf, beta) : null;
+    return switch (type) {
+      case "Ashikhmin-Shirley" -> new AshikhminShirley(factors(diffuse), factors(conductive), distribution);
+      case "Cook-Torrance" -> new ReflectiveCookTorrance(factors(diffuse), factors(conductive), distribution);
+      case "Oren-Nayar" -> new OrenNayar(factors(diffuse), sigma);
+      case "Ideal-Conductor" -> new IdealConductor(factors(conductive));
+      default -> new PhongLafortune(factors(diffuse), factors(conductive), distribution);
+    };
+  }
+
+  /** Checks that a material reflects something, and not more than all. */
+  private void checkEnergy(final Element element, final float[] diffuse, final float[] conductive) {
+    if (isBlack(diffuse) && isBlack(conductive)) {
+      values.problems().error(element.offset(), "noReflectance", element.name());
+    }
+    for (int channel = 0; channel < 3; channel++) {
+      if ((double) diffuse[channel] + conductive[channel] > 1 + TOLERANCE) {
+        final Element value = element.find("conductiveReflectance");
+        values.problems().error(value.valueOffset(), "reflectsMore", Messages.quote(value.text()));
+        return;
+      }
+    }
+  }
+
+  private Material refracting(final Element element, final String type, final String ndf, final float beta,
+      final int errorsBefore) {
+    final float[] dielectric = reflectance(element, "dielectricReflectance", false);
+    final float inside = values.number(element, "eta_int", Range.POSITIVE);
+    final float outside = values.number(element, "eta_ext", Range.POSITIVE, AIR);
+    final boolean rough = "Cook-Torrance".equals(type);
+    if (rough) {
+      warnIfPolished(element);
+    }
+    if (illumination && isBlack(dielectric)) {
+      values.problems().warning(element.offset(), "blackDielectric", element.name());
+    }
+    if (values.problems().errors() > errorsBefore) {
+      return null;
+    }
+    return rough ? new TransmissiveCookTorrance(factors(dielectric), inside, outside, distribution(ndf, beta))
+        : new IdealDielectric(factors(dielectric), inside, outside);
+  }
+
+  private void warnIfPolished(final Element element) {
+    if (illumination && !values.has(element, "beta")) {
+      values.problems().warning(element.offset(), "polished", element.name());
+    }
+  }
+
+  private static NormalDistributionFunction distribution(final String ndf, final float beta) {
+    return switch (ndf) {
+      case "Horn" -> new Horn(beta);
+      case "Torrance" -> new Torrance(beta);
+      case "GGX" -> new GGX(beta);
+      case "Beckmann" -> new Beckmann(beta);
+      default -> new Blinn(beta);
+    };
   }
 
   private static boolean needsDiffuse(final String type) {
@@ -77,14 +159,7 @@ final class MaterialReader {
     return "Ashikhmin-Shirley".equals(type) || "Ideal-Conductor".equals(type);
   }
 
-  private Color refracting(final Element material) {
-    final float[] dielectric = reflectance(material, "dielectricReflectance", false);
-    values.number(material, "eta_int", Range.POSITIVE);
-    values.number(material, "eta_ext", Range.POSITIVE, 1);
-    return Colours.colour(dielectric, 255);
-  }
-
-  /** A reflectance: black if it is not there or at fault; told if it must be there and is black. */
+  /** A reflectance: black if it is missing or invalid; it is an error if it is needed and black. */
   private float[] reflectance(final Element material, final String name, final boolean needed) {
     final float[] triple = needed ? values.triple(material, name, Range.UNIT)
         : values.optionalTriple(material, name, Range.UNIT);
@@ -96,5 +171,9 @@ final class MaterialReader {
 
   private static boolean isBlack(final float[] triple) {
     return triple[0] == 0 && triple[1] == 0 && triple[2] == 0;
+  }
+
+  private static ReflectanceRGB factors(final float[] triple) {
+    return new ReflectanceRGB(triple[0], triple[1], triple[2]);
   }
 }

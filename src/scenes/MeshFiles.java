@@ -37,13 +37,13 @@ final class MeshFiles {
     }
 
     @Override
-    public Object3D at(final Placement placement, final Color color) {
-      return placed(placement, color);
+    public Object3D at(final Placement placement, final Appearance look) {
+      return placed(placement, look);
     }
 
     /** The mesh under a transformation; null if its file is at fault, which is told once. */
     @Override
-    public Object3D placed(final Placement placement, final Color color) {
+    public Object3D placed(final Placement placement, final Appearance look) {
       if (!read) {
         read = true;
         final ObjReader.Result reading = new ObjReader(file).read();
@@ -55,10 +55,10 @@ final class MeshFiles {
       if (mesh == null) {
         return null;
       }
-      Object3D object = coloured.get(color);
+      Object3D object = coloured.get(look.color());
       if (object == null) {
-        object = TriangularMesh.of(mesh.coordinates(), mesh.corners(), color);
-        coloured.put(color, object);
+        object = TriangularMesh.of(mesh.coordinates(), mesh.corners(), look.color());
+        coloured.put(look.color(), object);
       }
       return placement.applied(object);
     }

@@ -1,5 +1,6 @@
 package scenes;
 
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -11,8 +12,8 @@ import arguments.Messages;
 final class ModelReader {
 
   /** The types that this reader can build. */
-  static final List<String> SUPPORTED = List.of("sphere", "box", "plane", "cylinder", "capsule", "torus", "ellipsoid",
-      "mesh");
+  static final List<String> SUPPORTED = List.of("sphere", "box", "plane", "cylinder", "capsule", "truncone", "torus",
+      "ellipsoid", "egg", "mesh");
 
   /** A model as an object finds it: with its type, and without a shape if it is at fault or not supported. */
   record Entry(String type, Model model) {
@@ -60,8 +61,10 @@ final class ModelReader {
       case "cylinder" -> new Shapes.CylinderModel(length(model, "radius"), length(model, "Axislength"));
       case "capsule" -> new Shapes.CapsuleModel(values.triple(model, "A", Range.ANY), values.triple(model, "B", Range.ANY),
           length(model, "radius"));
+      case "truncone" -> truncatedCone(model);
       case "torus" -> new Shapes.TorusModel(length(model, "rotationalRadius"), length(model, Values.AS_SPELT));
       case "ellipsoid" -> new Shapes.EllipsoidModel(length(model, "a"), length(model, "b"), length(model, "c"));
+      case "egg" -> egg(model);
       case "mesh" -> mesh(model);
       default -> null;
     };
@@ -69,6 +72,30 @@ final class ModelReader {
 
   private float length(final Element model, final String name) {
     return values.number(model, name, Range.POSITIVE);
+  }
+
+  private Model truncatedCone(final Element model) {
+    final float[] a = values.triple(model, "A", Range.ANY), b = values.triple(model, "B", Range.ANY);
+    final float radiusA = values.number(model, "radiusA", Range.NOT_NEGATIVE);
+    final float radiusB = values.number(model, "radiusB", Range.NOT_NEGATIVE);
+    if (a != null && Arrays.equals(a, b)) {
+      final Element value = model.find("B");
+      values.problems().error(value.valueOffset(), "samePoint", "B", "A", Messages.quote(value.text()));
+    }
+    if (radiusA == 0 && radiusB == 0) {
+      values.problems().error(model.find("radiusB").valueOffset(), "bothZero", "radiusA", "radiusB");
+    }
+    return new Shapes.TruncatedConeModel(a, b, radiusA, radiusB);
+  }
+
+  private Model egg(final Element model) {
+    final float a = length(model, "a"), b = length(model, "b"), w = length(model, "w");
+    if (b <= w) {
+      final Element value = model.find("b");
+      values.problems().error(value.valueOffset(), "notGreater", "b", Messages.quote(value.text()), "w",
+          Messages.quote(model.find("w").text()));
+    }
+    return new Shapes.EggModel(a, b, w);
   }
 
   private float[] normal(final Element model) {

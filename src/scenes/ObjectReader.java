@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Set;
 
 import arguments.Messages;
+import materials.Material;
 import models.Group3D;
 import models.Object3D;
 
@@ -34,13 +35,13 @@ final class ObjectReader {
   void read(final Element object, final Group3D group, final Map<Object3D, String> names) {
     final String id = values.name(object, "modelId");
     final Model model = id == null ? null : model(object, id);
-    final Color colour = illumination ? materialColour(object) : plainColour(object);
+    final Appearance look = illumination ? litAppearance(object) : unlitAppearance(object);
     final Placement placement = placements.read(object);
-    if (model == null || colour == null || placement == null) {
+    if (model == null || look == null || placement == null) {
       return;
     }
     try {
-      final Object3D placed = model.placed(placement, colour);
+      final Object3D placed = model.placed(placement, look);
       if (placed != null) {
         group.addObject(placed);
         names.put(placed, id);
@@ -67,37 +68,50 @@ final class ObjectReader {
         values.problems().didYouMean(id, ids));
   }
 
-  /** With illumination only a material counts; as it has no effect yet, a colour stands for it. */
-  private Color materialColour(final Element object) {
+  /** With illumination the material counts; an object that has none is matte, of its colour. */
+  private Appearance litAppearance(final Element object) {
     if (values.has(object, "materialId")) {
-      return ofMaterial(object);
+      final Material material = material(object);
+      return material == null ? null : Appearance.of(material);
     }
-    final Element other = values.has(object, "color") ? object.find("color") : object.find("textureFile");
-    if (other == null) {
+    if (values.has(object, "color")) {
+      texture(object, true);
+      values.problems().warning(object.find("color").offset(), "matte", "color");
+      return plain(object);
+    }
+    final Element texture = object.find("textureFile");
+    if (texture == null) {
       values.problems().error(object.offset(), "noMaterial");
     } else {
-      values.problems().error(other.offset(), "materialNeeded", other.name());
+      values.problems().error(texture.offset(), "materialNeeded", texture.name());
     }
     return null;
   }
 
   /** Without illumination the colour counts, then the colour that stands for the material. */
-  private Color plainColour(final Element object) {
+  private Appearance unlitAppearance(final Element object) {
     final boolean coloured = values.has(object, "color");
-    final Color material = values.has(object, "materialId") ? ofMaterial(object) : null;
+    final Material material = values.has(object, "materialId") ? material(object) : null;
     final boolean textured = texture(object, coloured);
     if (coloured) {
-      return colours.of(values.optional(object, "color"));
+      return plain(object);
     }
     if (material != null) {
       values.problems().warning(object.find("materialId").valueOffset(), "materialUnlit");
-    } else if (!textured && !values.has(object, "materialId")) {
+      return Appearance.of(material);
+    }
+    if (!textured && !values.has(object, "materialId")) {
       values.problems().error(object.offset(), "noColour");
     }
-    return material;
+    return null;
   }
 
-  /** Tells what becomes of a texture; answers whether there is one. */
+  private Appearance plain(final Element object) {
+    final Color color = colours.of(values.optional(object, "color"));
+    return color == null ? null : Appearance.of(color);
+  }
+
+  /** Reports that a texture has no effect; returns whether there is one. */
   private boolean texture(final Element object, final boolean coloured) {
     final Element value = values.optional(object, "textureFile");
     if (value == null) {
@@ -114,12 +128,12 @@ final class ObjectReader {
     return true;
   }
 
-  private Color ofMaterial(final Element object) {
+  /** The material that an object names; null if there is none of this id, or if it is invalid. */
+  private Material material(final Element object) {
     final String id = values.name(object, "materialId");
-    final Color colour = id == null ? null : materials.colour(id);
-    if (id != null && colour == null) {
+    if (id != null && !materials.ids().contains(id)) {
       unknownId(object.find("materialId"), id, materials.ids());
     }
-    return colour;
+    return materials.get(id);
   }
 }

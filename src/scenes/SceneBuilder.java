@@ -8,6 +8,8 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 
+import lights.Light;
+import lights.LightGroup;
 import models.Group3D;
 import models.Object3D;
 import view.Camera;
@@ -15,6 +17,9 @@ import view.Projection;
 
 /** Reads the element {@code image} of a scene file: section by section, in no order of theirs. */
 final class SceneBuilder {
+
+  /** Stops of exposure. */
+  private static final Range STOPS = new Range(-20, true, 20, true);
 
   private final Element image;
   private final SceneGrammar vocabulary;
@@ -38,17 +43,27 @@ final class SceneBuilder {
     final int H = raster == null ? Values.NONE : values.integer(raster, "H", 1);
     final Color background = raster == null ? null : new Colours(values).required(raster, "backgroundColor");
     rayTracer(section("rayTracer"));
-    final Element engine = section("engine");
-    final boolean illumination = engine != null && values.bool(engine, "illumination");
-    final boolean falseLighting = engine == null || values.bool(engine, "falseLighting", true);
-    if (engine != null) {
-      values.integer(engine, "recursionDepth", 0, 0);
-    }
+    final Lighting lighting = lighting(section("engine"));
     final Camera camera = camera(W, H);
-    final Group3D objects = objects(illumination);
+    final Group3D objects = objects(lighting.on());
     final Element.Attribute name = image.attribute("name");
-    return problems.hasErrors() ? null : new SceneFile(name == null ? "" : name.value(), W, H, background,
-        illumination || falseLighting, camera, objects, Collections.unmodifiableMap(names), files.paths());
+    return problems.hasErrors() ? null : new SceneFile(name == null ? "" : name.value(), W, H, background, lighting, camera,
+        objects, Collections.unmodifiableMap(names), files.paths());
+  }
+
+  private Lighting lighting(final Element engine) {
+    if (engine == null) {
+      return Lighting.FACING;
+    }
+    final boolean illumination = values.bool(engine, "illumination");
+    final boolean facing = values.bool(engine, "falseLighting", true);
+    final int depth = values.integer(engine, "recursionDepth", 0, 0);
+    final float exposure = values.number(engine, "exposure", STOPS, 0);
+    final LightGroup lights = lights(illumination);
+    if (!illumination) {
+      return facing ? Lighting.FACING : Lighting.PLAIN;
+    }
+    return new Lighting(true, true, lights, Math.max(0, depth), Float.isNaN(exposure) ? 0 : exposure);
   }
 
   private Element section(final String name) {
@@ -85,8 +100,7 @@ final class SceneBuilder {
   }
 
   private Group3D objects(final boolean illumination) {
-    lights(illumination);
-    final MaterialReader materials = new MaterialReader(values);
+    final MaterialReader materials = new MaterialReader(values, illumination);
     for (final String kind : new String[] {"brdf", "btdf"}) {
       for (final Element material : inBlocks("materials", kind)) {
         materials.read(material);
@@ -107,22 +121,32 @@ final class SceneBuilder {
     return group;
   }
 
-  /** Reads the lights; says once that neither they nor materials have an effect. */
-  private void lights(final boolean illumination) {
+  /** The lights; without illumination it is said once that neither they nor materials have an effect. */
+  private LightGroup lights(final boolean illumination) {
     final LightReader reader = new LightReader(values, vocabulary.types("light"));
+    final LightGroup group = new LightGroup();
     final List<Element> lights = inBlocks("lights", "light");
-    for (final Element light : lights) {
-      reader.read(light);
+    for (final Element element : lights) {
+      final Light light = reader.read(element);
+      if (light != null) {
+        group.addLight(light);
+      }
     }
-    final Element block = image.find("lights");
-    final Element materials = image.find("materials");
-    final boolean materialsFirst = block == null || materials != null && materials.offset() < block.offset();
-    final Element first = materialsFirst ? materials : block;
-    if (first != null) {
-      problems.warning(first.offset(), "noEffectYet");
-    }
-    if (illumination && lights.isEmpty()) {
+    if (!illumination) {
+      warnOfNoEffect();
+    } else if (lights.isEmpty()) {
       problems.error(image.find("engine").find("illumination").valueOffset(), "noLight");
+    }
+    return group;
+  }
+
+  private void warnOfNoEffect() {
+    final Element lights = image.find("lights");
+    final Element materials = image.find("materials");
+    final boolean materialsFirst = lights == null || materials != null && materials.offset() < lights.offset();
+    final Element first = materialsFirst ? materials : lights;
+    if (first != null) {
+      problems.warning(first.offset(), "unlit");
     }
   }
 

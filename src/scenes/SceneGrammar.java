@@ -23,7 +23,7 @@ final class SceneGrammar {
     "image: raster rayTracer engine camera projection lights materials models scene",
     "raster: W H backgroundColor",
     "rayTracer: wblock hblock showProgress",
-    "engine: illumination falseLighting recursionDepth",
+    "engine: illumination falseLighting recursionDepth exposure",
     "camera: position lookAt up",
     "projection perspective: fov aspect",
     "projection orthographic: height aspect",

@@ -1,15 +1,17 @@
 package scenes;
 
-import java.awt.Color;
-
 import models.Box;
 import models.Capsule;
 import models.Cylinder;
+import models.Egg;
 import models.Ellipsoid;
 import models.Object3D;
 import models.Plane;
 import models.Sphere;
 import models.Torus;
+import models.TruncatedCone;
+import primitives.Point3D;
+import primitives.Vector3D;
 
 /** The models that are shapes of the library, each in its own frame: X to the right, Y up, Z towards the viewer. */
 final class Shapes {
@@ -17,69 +19,117 @@ final class Shapes {
   private Shapes() {
   }
 
+  /** A segment of the model from A to B, where a placement takes it. */
+  private record Segment(Point3D middle, Vector3D direction, float length) {
+
+    /** The segment of a placement; its direction is null if it has no length. */
+    static Segment of(final float[] a, final float[] b, final Placement placement) {
+      final double x = (double) b[0] - a[0], y = (double) b[1] - a[1], z = (double) b[2] - a[2];
+      final double length = Math.sqrt(x * x + y * y + z * z);
+      final Point3D middle = placement.point(((double) a[0] + b[0]) / 2, ((double) a[1] + b[1]) / 2,
+          ((double) a[2] + b[2]) / 2);
+      return new Segment(middle, length == 0 ? null : placement.direction(x / length, y / length, z / length),
+          (float) length);
+    }
+  }
+
+  private static Object3D sphere(final Point3D C, final float radius, final Appearance look) {
+    return look.isMaterial() ? new Sphere(C, radius, look.material()) : new Sphere(C, radius, look.color());
+  }
+
   /** Sphere about the origin. */
   record SphereModel(float radius) implements Model {
     @Override
-    public Object3D at(final Placement placement, final Color color) {
-      return new Sphere(placement.point(0, 0, 0), radius, color);
+    public Object3D at(final Placement placement, final Appearance look) {
+      return sphere(placement.point(0, 0, 0), radius, look);
     }
   }
 
   /** Box about the origin: width along X, height along Y, depth along Z. */
   record BoxModel(float width, float height, float depth) implements Model {
     @Override
-    public Object3D at(final Placement placement, final Color color) {
-      return new Box(placement.point(0, 0, 0), placement.direction(1, 0, 0), placement.direction(0, 1, 0),
-          width, height, depth, color);
+    public Object3D at(final Placement placement, final Appearance look) {
+      final Point3D C = placement.point(0, 0, 0);
+      final Vector3D i = placement.direction(1, 0, 0), j = placement.direction(0, 1, 0);
+      return look.isMaterial() ? new Box(C, i, j, width, height, depth, look.material())
+          : new Box(C, i, j, width, height, depth, look.color());
     }
   }
 
   /** Plane through a point, perpendicular to a normal. */
   record PlaneModel(float[] point, float[] normal) implements Model {
     @Override
-    public Object3D at(final Placement placement, final Color color) {
-      return new Plane(placement.point(point[0], point[1], point[2]),
-          placement.direction(normal[0], normal[1], normal[2]), color);
+    public Object3D at(final Placement placement, final Appearance look) {
+      final Point3D P = placement.point(point[0], point[1], point[2]);
+      final Vector3D n = placement.direction(normal[0], normal[1], normal[2]);
+      return look.isMaterial() ? new Plane(P, n, look.material()) : new Plane(P, n, look.color());
     }
   }
 
   /** Closed cylinder about the origin, its axis along Y. */
   record CylinderModel(float radius, float length) implements Model {
     @Override
-    public Object3D at(final Placement placement, final Color color) {
-      return new Cylinder(placement.point(0, 0, 0), placement.direction(0, 1, 0), radius, length, color);
+    public Object3D at(final Placement placement, final Appearance look) {
+      final Point3D P = placement.point(0, 0, 0);
+      final Vector3D u = placement.direction(0, 1, 0);
+      return look.isMaterial() ? new Cylinder(P, u, radius, length, look.material())
+          : new Cylinder(P, u, radius, length, look.color());
     }
   }
 
   /** All points within a radius of the segment from A to B: a sphere if they are one point. */
   record CapsuleModel(float[] a, float[] b, float radius) implements Model {
     @Override
-    public Object3D at(final Placement placement, final Color color) {
-      final double x = (double) b[0] - a[0], y = (double) b[1] - a[1], z = (double) b[2] - a[2];
-      final double length = Math.sqrt(x * x + y * y + z * z);
-      final var middle = placement.point(((double) a[0] + b[0]) / 2, ((double) a[1] + b[1]) / 2, ((double) a[2] + b[2]) / 2);
-      if (length == 0) {
-        return new Sphere(middle, radius, color);
+    public Object3D at(final Placement placement, final Appearance look) {
+      final Segment axis = Segment.of(a, b, placement);
+      if (axis.length == 0) {
+        return sphere(axis.middle, radius, look);
       }
-      final var axis = placement.direction(x / length, y / length, z / length);
-      return new Capsule(middle, axis, radius, (float) length, color);
+      return look.isMaterial() ? new Capsule(axis.middle, axis.direction, radius, axis.length, look.material())
+          : new Capsule(axis.middle, axis.direction, radius, axis.length, look.color());
+    }
+  }
+
+  /** Truncated cone from A to B, which differ, closed by a disc at each end whose radius is not 0. */
+  record TruncatedConeModel(float[] a, float[] b, float radiusA, float radiusB) implements Model {
+    @Override
+    public Object3D at(final Placement placement, final Appearance look) {
+      final Segment axis = Segment.of(a, b, placement);
+      return look.isMaterial()
+          ? new TruncatedCone(axis.middle, axis.direction, radiusA, radiusB, axis.length, look.material())
+          : new TruncatedCone(axis.middle, axis.direction, radiusA, radiusB, axis.length, look.color());
     }
   }
 
   /** Torus about the origin, its axis along Y. */
   record TorusModel(float rotationalRadius, float tubeRadius) implements Model {
     @Override
-    public Object3D at(final Placement placement, final Color color) {
-      return new Torus(placement.point(0, 0, 0), placement.direction(0, 1, 0), rotationalRadius, tubeRadius, color);
+    public Object3D at(final Placement placement, final Appearance look) {
+      final Point3D C = placement.point(0, 0, 0);
+      final Vector3D axis = placement.direction(0, 1, 0);
+      return look.isMaterial() ? new Torus(C, axis, rotationalRadius, tubeRadius, look.material())
+          : new Torus(C, axis, rotationalRadius, tubeRadius, look.color());
     }
   }
 
   /** Ellipsoid about the origin: half-axes a on X, b on Y, c on Z. */
   record EllipsoidModel(float a, float b, float c) implements Model {
     @Override
-    public Object3D at(final Placement placement, final Color color) {
-      return new Ellipsoid(placement.point(0, 0, 0), placement.direction(1, 0, 0), placement.direction(0, 1, 0),
-          a, b, c, color);
+    public Object3D at(final Placement placement, final Appearance look) {
+      final Point3D C = placement.point(0, 0, 0);
+      final Vector3D i = placement.direction(1, 0, 0), j = placement.direction(0, 1, 0);
+      return look.isMaterial() ? new Ellipsoid(C, i, j, a, b, c, look.material())
+          : new Ellipsoid(C, i, j, a, b, c, look.color());
+    }
+  }
+
+  /** Egg about the origin, its axis along Y, the pointed pole above. */
+  record EggModel(float a, float b, float w) implements Model {
+    @Override
+    public Object3D at(final Placement placement, final Appearance look) {
+      final Point3D C = placement.point(0, 0, 0);
+      final Vector3D axis = placement.direction(0, 1, 0);
+      return look.isMaterial() ? new Egg(C, axis, a, b, w, look.material()) : new Egg(C, axis, a, b, w, look.color());
     }
   }
 }

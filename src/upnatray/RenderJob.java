@@ -12,6 +12,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import models.Group3D;
 import models.Object3D;
 import rendering.ColourScale;
+import rendering.Illumination;
 import rendering.Progress;
 import rendering.RenderPass;
 import rendering.RenderSettings;
@@ -106,7 +107,11 @@ public final class RenderJob {
    * @throws IllegalArgumentException if the scene is null
    */
   public static Shading shading(final SceneFile scene) {
-    return notNull("scene", scene).facing() ? Shading.FACING : Shading.PLAIN;
+    if (notNull("scene", scene).isLit()) {
+      return new Illumination(scene.objects(), scene.lights(), scene.recursionDepth(), scene.background())
+          .withExposure(scene.exposure());
+    }
+    return scene.facing() ? Shading.FACING : Shading.PLAIN;
   }
 
   private static int channel(final double component) {

@@ -145,7 +145,8 @@ class WrongArgumentsTest {
     size("w", w -> new Egg(O, V, 1, 2, w, RED));
     wrong("b", "1.0", () -> new Egg(O, V, 1, 1, 1, RED));
     wrong("w = 1.5", "1.25", () -> new Egg(O, V, 1, 1.25f, 1.5f, RED));
-    wrong("color", "null", () -> new Egg(O, V, 1, 2, 1, null));
+    wrong("color", "null", () -> new Egg(O, V, 1, 2, 1, (Color) null));
+    wrong("material", "null", () -> new Egg(O, V, 1, 2, 1, (Material) null));
   }
 
   private void truncatedCone() {
@@ -158,7 +159,8 @@ class WrongArgumentsTest {
     wrong("rA", "0.0", () -> new TruncatedCone(O, V, 0, 0, 1, RED));
     wrong("rB", "-0.0", () -> new TruncatedCone(O, V, 0, -0f, 1, RED));
     size("l", l -> new TruncatedCone(O, V, 1, 2, l, RED));
-    wrong("color", "null", () -> new TruncatedCone(O, V, 1, 2, 1, null));
+    wrong("color", "null", () -> new TruncatedCone(O, V, 1, 2, 1, (Color) null));
+    wrong("material", "null", () -> new TruncatedCone(O, V, 1, 2, 1, (Material) null));
   }
 
   private void framedShapes() {

@@ -28,9 +28,10 @@ class QuirksTest {
       + "<spectrum>0.33 0.34 0.33</spectrum><power>100</power></light></lights>";
   private static final String MATERIAL = "<materials><brdf id=\"m\" type=\"Phong-Lafortune\"><diffuseReflectance>0.4 0 0.2"
       + "</diffuseReflectance><conductiveReflectance>0.6 0 0.2</conductiveReflectance></brdf></materials>";
-  private static final String NO_EFFECT = "warning: lights and materials have no effect yet: with illumination, "
-      + "objects show the "
-      + "sum of the reflectances of their material";
+  private static final String NO_EFFECT = "warning: lights and materials have no effect without illumination";
+
+  private static final String POLISHED = "30:14: warning: `beta` is not given: this `brdf` is polished and reflects like a "
+      + "mirror";
 
   @TempDir
   Path folder;
@@ -114,18 +115,17 @@ class QuirksTest {
         + "the sum of its reflectances; expected a `color`");
     assertEquals(new Color(255, 0, 102), colour(fallback));
     final ReadResult lit = files.read(material.replace(UNLIT, LIT).replace("<scene>", LIGHT + "<scene>"));
-    assertTrue(lit.scene().orElseThrow().facing());
+    assertTrue(lit.scene().orElseThrow().isLit());
     assertEquals(new Color(255, 0, 102), colour(lit));
+    assertProblems(lit, POLISHED);
     assertProblems(files.read(material.replace(UNLIT, LIT)), "14:19: there is no light: with illumination expected an "
-        + "element "
-        + "<light> in <lights>", "30:3: " + NO_EFFECT);
+        + "element <light> in <lights>", POLISHED);
     assertProblems(files.readWith(UNLIT, LIT + LIGHT), "14:38: warning: `lights` is out of place in `engine`: it "
-        + "belongs in `image`",
-        "14:38: " + NO_EFFECT, "33:7: `color` is of no use with illumination: expected a `materialId`");
+        + "belongs in `image`", "33:7: warning: `color` without a `materialId`: with illumination the object is matte, of "
+        + "this colour");
     assertProblems(files.readWith("<color>255 0 0</color>", ""), "31:5: the object has no appearance: expected a `color`");
     assertProblems(files.read(SceneFiles.with("<color>255 0 0</color>", "").replace(UNLIT, LIT).replace("<scene>",
-        LIGHT + "<scene>")),
-        "30:3: " + NO_EFFECT, "31:5: the object has no `materialId`: with illumination expected one");
+        LIGHT + "<scene>")), "31:5: the object has no `materialId`: with illumination expected one");
   }
 
   @Test
