@@ -126,8 +126,8 @@ class LightingTest {
   @CsvSource(delimiter = '|', value = {
     "<spectrum>0.5 0.25 0.25|<spectrum>0.5 0.25 0.2|30:51: the shares of `spectrum` must sum to 1: found `0.5 0.25 0.2`, "
         + "expected for example 0.33 0.34 0.33",
-    "<spectrum>0.5|<spectrum>-0.5|30:51: `spectrum` is out of range: found `-0.5`, expected three numbers separated by "
-        + "blanks, such as 1 0.5 2, each x >= 0",
+    "<spectrum>0.5|<spectrum>-0.5|30:51: `spectrum` is out of range: found `-0.5`, expected a number such as 2.5, "
+        + "spectrum >= 0",
     "<power>100|<power>0|30:82: `power` is out of range: found `0`, expected a number such as 2.5, power > 0",
     "<power>100</power>||30:11: `light` lacks `power`: expected a number such as 2.5, power > 0."})
   void wrongLightsAreErrorsWithTheirPlaces(final String part, final String other, final String message) {
@@ -258,9 +258,11 @@ class LightingTest {
 
   @Test
   void messagesAreInSpanishToo() {
-    SceneFiles.in(new Locale("es", "ES"), () -> assertProblems(read("<exposure>21</exposure>", LIGHT, "",
-        "<color>255 0 0</color>"), "14:48: `exposure` está fuera de rango: se encontró `21`, se esperaba un número como 2.5, "
-        + "-20 <= exposure <= 20", "34:7: aviso: `color` sin `materialId`: con iluminación el objeto es mate, de este color"));
+    final String range = "14:48: `exposure` está fuera de rango: se encontró `21`, se esperaba un número como 2.5, "
+        + "-20 <= exposure <= 20";
+    final String matte = "34:7: aviso: `color` sin `materialId`: con iluminación el objeto es mate, de este color";
+    SceneFiles.in(new Locale("es", "ES"),
+        () -> assertProblems(read("<exposure>21</exposure>", LIGHT, "", "<color>255 0 0</color>"), range, matte));
   }
 
   @Test

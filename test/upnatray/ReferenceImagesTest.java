@@ -56,7 +56,7 @@ class ReferenceImagesTest {
     final double scale = (double) LONGER_SIDE / Math.max(scene.width(), scene.height());
     final Image image = new Image((int) Math.max(1, Math.round(scale * scene.width())),
         (int) Math.max(1, Math.round(scale * scene.height())), scene.background());
-    final RenderSettings rendering = RenderSettings.STANDARD.withShading(scene.facing() ? Shading.FACING : Shading.PLAIN);
+    final RenderSettings rendering = RenderSettings.STANDARD.withShading(RenderJob.shading(scene));
     assertTrue(image.synthesis(scene.objects(), scene.camera(), rendering));
     return image;
   }
@@ -127,7 +127,7 @@ class ReferenceImagesTest {
   void everySceneHasThePixelsOfSingleRays(final String name) {
     final SceneFile scene = SceneReader.read(SCENES.resolve(name + ".xml")).scene().orElseThrow();
     final Image image = new Image(70, 50, scene.background());
-    for (final Shading shading : List.of(Shading.PLAIN, Shading.FACING)) {
+    for (final Shading shading : List.of(Shading.PLAIN, Shading.FACING, RenderJob.shading(scene))) {
       final int[] expected = SingleRays.pixels(
           scene.objects(), scene.camera(), 70, 50, scene.background().getRGB(), shading);
       assertTrue(image.synthesis(scene.objects(), scene.camera(),
