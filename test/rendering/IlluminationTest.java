@@ -12,6 +12,7 @@ import java.util.List;
 import javax.vecmath.Vector3f;
 
 import lights.Directional;
+import lights.Light;
 import lights.LightGroup;
 import lights.Omnidirectional;
 import lights.Spot;
@@ -20,10 +21,16 @@ import materials.IdealDielectric;
 import materials.Lambertian;
 import materials.Material;
 import models.AffineTransformation;
+import models.Box;
+import models.Capsule;
+import models.Cylinder;
+import models.Ellipsoid;
 import models.Group3D;
 import models.Object3D;
+import models.Plane;
 import models.RandomNumbers;
 import models.Sphere;
+import models.Torus;
 import models.TriangularMesh;
 import org.junit.jupiter.api.Test;
 import primitives.Point3D;
@@ -45,24 +52,6 @@ class IlluminationTest {
   private static final Material GLASS = new IdealDielectric(new ReflectanceRGB(1, 1, 1), 1.5f, 1);
   private static final Color SKY = new Color(120, 160, 200);
 
-  /** A shape in a material that its own constructor does not take. */
-  private static final class Made extends Object3D {
-
-    private final Object3D shape;
-
-    Made(final Object3D shape, final Material material) {
-      super(material);
-      this.shape = shape;
-    }
-
-    @Override
-    public Hit intersectionWith(final Ray ray) {
-      final Hit hit = shape.intersectionWith(ray);
-      return Hit.of(hit.distance(), hit.pointX(), hit.pointY(), hit.pointZ(), hit.normalX(), hit.normalY(), hit.normalZ(),
-          hit.errorBound(), this);
-    }
-  }
-
   private static Group3D group(final Object3D... objects) {
     final Group3D group = new Group3D();
     for (final Object3D object : objects) {
@@ -72,7 +61,11 @@ class IlluminationTest {
   }
 
   private static Object3D floor(final Color color) {
-    return new models.Plane(new Point3D(), new Vector3D(0, 1, 0), color);
+    return new Plane(new Point3D(), new Vector3D(0, 1, 0), color);
+  }
+
+  private static Object3D floor(final Material material) {
+    return new Plane(new Point3D(), new Vector3D(0, 1, 0), material);
   }
 
   private static LightGroup lamp(final double x, final double y, final double z, final double power) {
@@ -129,13 +122,13 @@ class IlluminationTest {
   private static Group3D stillLife() {
     final TriangularMesh mesh = TriangularMesh.of(new float[] {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1},
         new int[] {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5}, Color.ORANGE);
-    final Group3D scene = group(floor(Color.LIGHT_GRAY), new Made(new Sphere(new Point3D(-2, 1, 0), 1, Color.RED), GLASS),
-        new Made(new Sphere(new Point3D(0, 1, -2), 1, Color.RED), MIRROR),
-        new models.Torus(new Point3D(2, 0.6f, 0), new Vector3D(1, 3, 0), 0.8f, 0.3f, Color.GREEN),
-        new models.Box(new Point3D(0, 0.5f, 2), new Vector3D(1, 0, 1), new Vector3D(0, 1, 0), 1, 1, 1, Color.PINK),
+    final Group3D scene = group(floor(Color.LIGHT_GRAY), new Sphere(new Point3D(-2, 1, 0), 1, GLASS),
+        new Sphere(new Point3D(0, 1, -2), 1, MIRROR),
+        new Torus(new Point3D(2, 0.6f, 0), new Vector3D(1, 3, 0), 0.8f, 0.3f, Color.GREEN),
+        new Box(new Point3D(0, 0.5f, 2), new Vector3D(1, 0, 1), new Vector3D(0, 1, 0), 1, 1, 1, Color.PINK),
         new AffineTransformation(new Vector3f(0.5f, 1, -0.7f), new Vector3f(0, 1, 1), 40, new Vector3f(3, 1, -3), mesh),
         new AffineTransformation(new Vector3f(0.7f, 0.4f, 0.7f), new Vector3f(0, 1, 0), 0, new Vector3f(-3, 0.4f, 2),
-            new Made(new Sphere(new Point3D(), 1, Color.RED), MIRROR)));
+            new Sphere(new Point3D(), 1, MIRROR)));
     return scene;
   }
 
@@ -167,12 +160,11 @@ class IlluminationTest {
   void furnaceHidesPerfectMirrorsAndGlass() {
     final Point3D C = new Point3D(0.3f, 0.1f, -0.2f);
     final Vector3D u = new Vector3D(1, 2, 0.5f), aux = new Vector3D(-2, 1, 0);
-    final List<Object3D> shapes = List.of(new Sphere(C, 1, Color.RED), new models.Box(C, u, aux, 1.5f, 1, 1.2f, Color.RED),
-        new models.Cylinder(C, u, 0.7f, 1.5f, Color.RED), new models.Capsule(C, u, 0.6f, 1, Color.RED),
-        new models.Torus(C, u, 0.9f, 0.4f, Color.RED), new models.Ellipsoid(C, u, aux, 1, 0.5f, 0.7f, Color.RED));
-    for (final Object3D shape : shapes) {
-      for (final Material material : List.of(MIRROR, GLASS)) {
-        final Group3D scene = group(new Made(shape, material));
+    for (final Material material : List.of(MIRROR, GLASS)) {
+      for (final Object3D shape : List.of(new Sphere(C, 1, material), new Box(C, u, aux, 1.5f, 1, 1.2f, material),
+          new Cylinder(C, u, 0.7f, 1.5f, material), new Capsule(C, u, 0.6f, 1, material),
+          new Torus(C, u, 0.9f, 0.4f, material), new Ellipsoid(C, u, aux, 1, 0.5f, 0.7f, material))) {
+        final Group3D scene = group(shape);
         final Illumination light = new Illumination(scene, new LightGroup(), 12, SKY).withExposure(1.5);
         final int[] picture = pixels(scene, camera(new Point3D(0, 0.5f, 4), C), RenderSettings.STANDARD.withShading(light));
         int wrong = 0;
@@ -190,8 +182,8 @@ class IlluminationTest {
 
   @Test
   void facingMirrorsOfDepthTenThousandComeToAnEnd() {
-    final Group3D scene = group(new Made(floor(Color.RED), MIRROR),
-        new Made(new models.Plane(new Point3D(0, 1, 0), new Vector3D(0, -1, 0), Color.RED), MIRROR));
+    final Group3D scene = group(floor(MIRROR),
+        new Plane(new Point3D(0, 1, 0), new Vector3D(0, -1, 0), MIRROR));
     final int[] count = new int[1];
     final Ray ray = new Ray(new Point3D(0, 0.5f, 0), new Vector3D(0.01f, -1, 0));
     new Illumination(scene, new LightGroup(), 10_000, SKY).radiance(ray, scene.intersectionWith(ray), new LightObserver() {
@@ -205,7 +197,7 @@ class IlluminationTest {
 
   @Test
   void depthCountsTheImagesInAMirror() {
-    final Group3D scene = group(new Made(floor(Color.RED), MIRROR));
+    final Group3D scene = group(floor(MIRROR));
     final Point3D from = new Point3D(0, 1, 0), to = new Point3D(1, 0, 0);
     assertEquals(0, radiance(scene, new LightGroup(), 0, from, to).getR());
     assertEquals(new ReflectanceRGB(SKY).getR() / 10.0, radiance(scene, new LightGroup(), 1, from, to).getR(), 1e-9);
@@ -237,10 +229,10 @@ class IlluminationTest {
       final Point3D from = new Point3D(1, 3, 9), to = numbers.pointAbout(new Point3D(0, 0.5f, 0), 3);
       if (scene.intersectionWith(new Ray(from, to)).hits()) {
         final RadianceRGB all = radiance(scene, threeLights(), 4, from, to);
-        RadianceRGB sum = radiance(scene, new LightGroup(), 4, from, to).times(-2 + 3);
+        RadianceRGB sum = radiance(scene, new LightGroup(), 4, from, to);
         final RadianceRGB sky = radiance(scene, new LightGroup(), 4, from, to);
         double r = sky.getR();
-        for (final lights.Light light : threeLights().getLights()) {
+        for (final Light light : threeLights().getLights()) {
           final RadianceRGB one = radiance(scene, new LightGroup(light), 4, from, to);
           r += one.getR() - sky.getR();
           sum = sum.plus(one);
@@ -268,7 +260,7 @@ class IlluminationTest {
   void mattePaintIsTheDecodedColour() {
     final Lambertian grey = new Lambertian(new ReflectanceRGB(Color.GRAY));
     final Point3D from = new Point3D(1, 1, 1), to = new Point3D();
-    assertEquals(radiance(group(new Made(floor(Color.RED), grey)), lamp(0, 2, 0, 100), 0, from, to).getG(),
+    assertEquals(radiance(group(floor(grey)), lamp(0, 2, 0, 100), 0, from, to).getG(),
         radiance(group(floor(Color.GRAY)), lamp(0, 2, 0, 100), 0, from, to).getG());
   }
 }
