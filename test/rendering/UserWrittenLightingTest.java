@@ -153,6 +153,7 @@ class UserWrittenLightingTest {
     final Group3D mirror = group(new Sheet(new IdealConductor(ALL)));
     final Group3D glass = group(new Sheet(new IdealDielectric(ALL, 1.5f, 1)));
     final Group3D rough = group(new Sheet(new TransmissiveCookTorrance(ALL, 1.5f, 1, new Blinn(30))));
+    int refracted = 0;
     for (int i = 0; i < 5_000; i++) {
       final Ray ray = new Ray(new Point3D(0, 2, 3), numbers.pointAbout(new Point3D(), 1.5));
       for (final Group3D scene : List.of(mirror, glass, rough)) {
@@ -167,8 +168,37 @@ class UserWrittenLightingTest {
             }
           });
           assertTrue(scene == mirror ? below[1] == 0 : below[1] <= 1, () -> hit + "; " + numbers);
+          refracted += below[1];
         }
       }
+    }
+    assertTrue(refracted > 8_000, "too few refracted rays: " + refracted);
+  }
+
+  /** A floor whose hits are off by a hundred times the rounding of floats. */
+  private static final class RoughlyFloor extends Object3D {
+
+    RoughlyFloor() {
+      super(Color.WHITE);
+    }
+
+    @Override
+    public Hit intersectionWith(final Ray ray) {
+      final float height = 1e-5f * (float) Math.sin(1e7 * ray.startX());
+      final float t = (float) ((height - ray.startY()) / ray.directionY());
+      return t > 0 && t < 1e9f ? new Hit(t, ray.pointAtParameter(t), new Vector3D(0, 1, 0), this) : Hit.NOHIT;
+    }
+  }
+
+  @Test
+  void surfaceThatIsNotExactDoesNotShadeItself() {
+    final RandomNumbers numbers = new RandomNumbers("rough floor");
+    final Group3D scene = group(new AffineTransformation(new Vector3f(1, 1, 1), new Vector3f(), group(new RoughlyFloor())),
+        new Sphere(new Point3D(0, 9, 0), 0.1f, Color.RED));
+    for (int i = 0; i < 2_000; i++) {
+      final Point3D to = new Point3D((float) numbers.between(1, 5), 0, (float) numbers.between(1, 5));
+      final Ray ray = new Ray(new Point3D(0, 2, 0), to);
+      assertTrue(radiance(scene, ray, LAMP).getR() > 0, () -> ray + "; " + numbers);
     }
   }
 
