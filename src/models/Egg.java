@@ -116,7 +116,7 @@ public class Egg extends Object3D {
         z1 = pz - step * (q * rz + up * u.uz);
     final double k = 1 - step * q, yk = y - step * up, qk = profile.denominator(b + yk), upk = w * k * k * r2 + a2 * yk;
     return Hit.of(t, u.x + x1, u.y + y1, u.z + z1, qk * k * rx + upk * u.ux, qk * k * ry + upk * u.uy,
-        qk * k * rz + upk * u.uz, this);
+        qk * k * rz + upk * u.uz, Rounding.bound(u.x, u.y, u.z, 2 * (profile.a + b)), this);
   }
 
   @Override

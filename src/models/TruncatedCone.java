@@ -223,7 +223,8 @@ public class TruncatedCone extends Object3D {
   private Hit at(final double t, final double s, final double kx, final double ky, final double kz, final double k,
       final double nx, final double ny, final double nz) {
     final Axis u = axis;
-    return Hit.of(t, u.x + (s * u.ux + k * kx), u.y + (s * u.uy + k * ky), u.z + (s * u.uz + k * kz), nx, ny, nz, this);
+    return Hit.of(t, u.x + (s * u.ux + k * kx), u.y + (s * u.uy + k * ky), u.z + (s * u.uz + k * kz), nx, ny, nz,
+        Rounding.bound(u.x, u.y, u.z, 2 * (half + Math.max(rA, rB))), this);
   }
 
   @Override

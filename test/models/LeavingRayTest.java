@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 
 import javax.vecmath.Vector3f;
@@ -30,7 +31,7 @@ class LeavingRayTest {
     Object3D make(Point3D C, Vector3D u, Vector3D aux, float size);
   }
 
-  private static final Map<String, Maker> MAKERS = Map.of(
+  private static final Map<String, Maker> MAKERS = new TreeMap<>(Map.of(
       "sphere", (C, u, aux, s) -> new Sphere(C, s, Color.RED),
       "box", (C, u, aux, s) -> new Box(C, u, aux, s, 0.7f * s, 0.001f * s, Color.RED),
       "cylinder", (C, u, aux, s) -> new Cylinder(C, u, 0.01f * s, s, Color.RED),
@@ -40,7 +41,16 @@ class LeavingRayTest {
       "ellipsoid", (C, u, aux, s) -> new Ellipsoid(C, u, aux, s, 0.3f * s, 0.01f * s, Color.RED),
       "plane", (C, u, aux, s) -> new Plane(C, u, Color.RED),
       "transformed", (C, u, aux, s) -> new AffineTransformation(new Vector3f(s, 0.001f * s, -3 * s), u, 40,
-          new Vector3f(C), new Sphere(new Point3D(0.1f, -0.1f, 0.1f), 1, Color.RED)));
+          new Vector3f(C), new Sphere(new Point3D(0.1f, -0.1f, 0.1f), 1, Color.RED))));
+
+  static {
+    MAKERS.put("egg", (C, u, aux, s) -> new Egg(C, u, 0.7f * s, s, 0.3f * s, Color.RED));
+    MAKERS.put("needle egg", (C, u, aux, s) -> new Egg(C, u, 0.01f * s, s, 0.8f * s, Color.RED));
+    MAKERS.put("blunt egg", (C, u, aux, s) -> new Egg(C, u, s, 0.5f * s, 0.499f * s, Color.RED));
+    MAKERS.put("truncated cone", (C, u, aux, s) -> new TruncatedCone(C, u, s, 0.4f * s, 0.7f * s, Color.RED));
+    MAKERS.put("needle cone", (C, u, aux, s) -> new TruncatedCone(C, u, 0, 0.03f * s, s, Color.RED));
+    MAKERS.put("flat cone", (C, u, aux, s) -> new TruncatedCone(C, u, s, 0, 0.01f * s, Color.RED));
+  }
 
   /** A sphere such as a student writes it, in floats throughout. */
   private static final class FloatBall extends Object3D {
@@ -110,6 +120,32 @@ class LeavingRayTest {
           + "; " + numbers);
     }
     return true;
+  }
+
+  /** Of a million rays that leave a sphere outwards none hits it again; those inwards hit its far wall after the chord. */
+  @Test
+  void aSphereIsLeftByAMillionRays() {
+    final RandomNumbers numbers = new RandomNumbers("a million from a sphere");
+    int left = 0;
+    while (left < RandomNumbers.times(1_000_000)) {
+      final float r = (float) Math.pow(10, numbers.between(-3, 6));
+      final Point3D C = numbers.pointAbout(new Point3D(), r * Math.pow(10, numbers.between(-2, 4)));
+      final Sphere sphere = new Sphere(C, r, Color.RED);
+      final Hit hit = sphere.intersectionWith(new Ray(numbers.pointAbout(C, r * Math.pow(10, numbers.between(0, 4))),
+          numbers.pointAbout(C, 0.6 * r)));
+      for (int i = 0; i < 20 && hit.hits(); i++, left++) {
+        final double height = i % 2 == 0 ? numbers.between(0, 1) : numbers.magnitude(-40, 0);
+        final double[] d = direction(hit, numbers.direction(), height);
+        final Hit out = sphere.intersectionWith(hit.leave(true, d[0], d[1], d[2]));
+        final Hit in = sphere.intersectionWith(hit.leave(false, -d[0], -d[1], -d[2]));
+        final double cosine = Math.abs(d[0] * hit.normalX() + d[1] * hit.normalY() + d[2] * hit.normalZ());
+        final double rounding = hit.errorBound() / Math.max(cosine, Math.sqrt(hit.errorBound() / r));
+        if (out.hits() || !in.hits() || !(Math.abs(in.distance() - 2 * r * cosine) <= 4 * rounding)) {
+          throw new AssertionError(sphere + ", " + hit + " left at height " + height + ": " + out + ", " + in.distance()
+              + " for " + 2 * r * cosine + ", error " + hit.errorBound() + "; " + numbers);
+        }
+      }
+    }
   }
 
   /** A unit vector of a height over the surface. */
