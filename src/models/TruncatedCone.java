@@ -174,7 +174,18 @@ public class TruncatedCone extends Object3D {
     final double px = wx - away * dx, py = wy - away * dy, pz = wz - away * dz;
     final double close = CLOSE * Math.min(half, Math.max(rA, rB));
     return isTip(px, py, pz, away) || px * px + py * py + pz * pz <= close * close
-        && isRounded(px, wx, x) && isRounded(py, wy, y) && isRounded(pz, wz, z);
+        && isRounded(px, wx, x) && isRounded(py, wy, y) && isRounded(pz, wz, z) && !isOnSide(-wx, -wy, -wz);
+  }
+
+  /** Whether a point, relative to the origin, is on the side up to rounding: a ray may follow the side from there to the tip. */
+  private boolean isOnSide(final double px, final double py, final double pz) {
+    final double s = axis.along(px, py, pz);
+    final double off = Math.sqrt(Math.max(0, px * px + py * py + pz * pz - s * s)) - r - slope * s;
+    return Math.abs(off) <= 4 * errorBound() * Math.sqrt(1 + slope * slope);
+  }
+
+  private double errorBound() {
+    return Rounding.bound(axis.x, axis.y, axis.z, 2 * (half + Math.max(rA, rB)));
   }
 
   private static boolean isRounded(final double off, final double way, final double tip) {
@@ -224,7 +235,7 @@ public class TruncatedCone extends Object3D {
       final double nx, final double ny, final double nz) {
     final Axis u = axis;
     return Hit.of(t, u.x + (s * u.ux + k * kx), u.y + (s * u.uy + k * ky), u.z + (s * u.uz + k * kz), nx, ny, nz,
-        Rounding.bound(u.x, u.y, u.z, 2 * (half + Math.max(rA, rB))), this);
+        errorBound(), this);
   }
 
   @Override

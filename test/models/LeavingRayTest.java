@@ -154,7 +154,7 @@ class LeavingRayTest {
     final double along = v.x * gx + v.y * gy + v.z * gz;
     final double tx = v.x - along * gx, ty = v.y - along * gy, tz = v.z - along * gz;
     final double k = Math.sqrt(1 - height * height) / Math.sqrt(tx * tx + ty * ty + tz * tz);
-    return new double[] {k * tx + height * gx, k * ty + height * gy, k * tz + height * gz};
+    return CrossingOracle.normalised(k * tx + height * gx, k * ty + height * gy, k * tz + height * gz);
   }
 
   /** Hits of floats: a ray does not see the surface it leaves, but still sees what is behind it. */

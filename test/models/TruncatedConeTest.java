@@ -223,6 +223,32 @@ class TruncatedConeTest implements Object3DContract {
     assertHit(5, O, new Vector3D(0, 0, -1), down, new Ray(new Point3D(-5, 0, 0), X));
   }
 
+  /** Along a generator the quadratic is linear: rays that leave the side almost along one must not find it again. */
+  @Test
+  void raysThatLeaveAlmostAlongAGeneratorDoNotComeBack() {
+    final RandomNumbers numbers = new RandomNumbers("along a generator");
+    int left = 0;
+    for (int n = 0; n < RandomNumbers.times(100_000); n++) {
+      final float s = numbers.magnitude(-10, 20);
+      final Point3D P = numbers.pointAbout(O, s * Math.pow(10, numbers.between(-2, 4)));
+      final Vector3D u = numbers.direction(), v = numbers.direction();
+      final TruncatedCone cone = new TruncatedCone(P, u, s, n % 2 == 0 ? 0.4f * s : 0, 0.7f * s, Color.RED);
+      final Hit hit = cone.intersectionWith(new Ray(numbers.pointAbout(P, 9 * s), numbers.pointAbout(P, 0.6 * s)));
+      final double across = hit.normalX() * u.x + hit.normalY() * u.y + hit.normalZ() * u.z;
+      if (hit.hits() && Math.abs(across) < 0.9) {
+        left++;
+        final double sign = numbers.index(2) == 0 ? 1 : -1, off = numbers.magnitude(-50, -2);
+        final double x = sign * u.x + off * v.x, y = sign * u.y + off * v.y, z = sign * u.z + off * v.z;
+        final double lift = numbers.magnitude(-40, -20) - x * hit.normalX() - y * hit.normalY() - z * hit.normalZ();
+        final double[] d = CrossingOracle.normalised(x + lift * hit.normalX(), y + lift * hit.normalY(),
+            z + lift * hit.normalZ());
+        final Ray next = hit.leave(true, d[0], d[1], d[2]);
+        assertMiss(cone, next);
+      }
+    }
+    assertTrue(left > 10_000, left + " rays");
+  }
+
   @Test
   void equalRadiiMakeItTheCylinder() {
     final RandomNumbers numbers = new RandomNumbers("cone and cylinder");
