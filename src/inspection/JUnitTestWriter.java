@@ -9,6 +9,8 @@ import java.util.StringJoiner;
 
 import javax.vecmath.Tuple3f;
 
+import materials.Material;
+import materials.Texture;
 import models.Group3D;
 import models.Object3D;
 import models.TriangularMesh;
@@ -117,6 +119,12 @@ public final class JUnitTestWriter {
     if (argument instanceof Color color) {
       return "new java.awt.Color(" + color.getRed() + ", " + color.getGreen() + ", " + color.getBlue() + ", "
           + color.getAlpha() + ")";
+    }
+    if (argument instanceof Material material) {
+      return argument(material.getColor());
+    }
+    if (argument instanceof Texture texture) {
+      return argument(texture.getMeanColor());
     }
     return String.valueOf(argument);
   }

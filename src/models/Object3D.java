@@ -151,6 +151,11 @@ public abstract class Object3D {
     return List.of();
   }
 
+  /** The last argument of the constructor: what the object was made of, a material or a colour. */
+  Object look() {
+    return material == null ? color : material;
+  }
+
   /**
    * The objects that this one is made of, each of which can be asked by itself: those of a group, the one that is
    * transformed.

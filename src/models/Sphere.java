@@ -1,12 +1,14 @@
 package models;
 
 import static arguments.Arguments.finite;
+import static arguments.Arguments.notNull;
 import static arguments.Arguments.positive;
 
 import java.awt.Color;
 import java.util.List;
 
 import materials.Material;
+import materials.Texture;
 import primitives.BoundingBox;
 import primitives.Point3D;
 import tracer.Hit;
@@ -28,6 +30,7 @@ public class Sphere extends Object3D {
   private final double y;
   private final double z;
   private final double r;
+  private final Texture texture;
 
   /**
    * A sphere.
@@ -38,7 +41,7 @@ public class Sphere extends Object3D {
    * @throws IllegalArgumentException if an argument is null or not finite, or if r is not positive
    */
   public Sphere(final Point3D C, final float r, final Color color) {
-    this(C, r, Appearance.of(color));
+    this(C, r, Appearance.of(color), null);
   }
 
   /**
@@ -50,11 +53,26 @@ public class Sphere extends Object3D {
    * @throws IllegalArgumentException if an argument is null or not finite, or if r is not positive
    */
   public Sphere(final Point3D C, final float r, final Material material) {
-    this(C, r, Appearance.of(material));
+    this(C, r, Appearance.of(material), null);
   }
 
-  private Sphere(final Point3D C, final float r, final Appearance appearance) {
+  /**
+   * A sphere with a texture. With p = (P − C) / r, the point P of the sphere has the texture coordinates
+   * u = ½ + atan2(p.x, p.z) / 2π and v = ½ + asin(p.y) / π: the middle of the image faces +Z, its top is at +Y, it reads
+   * from left to right from outside, and the seam is on the side of −Z. An {@link AffineTransformation} turns it.
+   *
+   * @param C centre
+   * @param r radius, &gt; 0
+   * @param texture texture, whose mean colour is that of the object
+   * @throws IllegalArgumentException if an argument is null or not finite, or if r is not positive
+   */
+  public Sphere(final Point3D C, final float r, final Texture texture) {
+    this(C, r, Appearance.of(notNull("texture", texture).getMeanColor()), texture);
+  }
+
+  private Sphere(final Point3D C, final float r, final Appearance appearance, final Texture texture) {
     super(appearance);
+    this.texture = texture;
     this.x = finite("C", C).x;
     this.y = C.y;
     this.z = C.z;
@@ -84,7 +102,34 @@ public class Sphere extends Object3D {
     final double nx = ray.startX() + t * ray.directionX() - x, ny = ray.startY() + t * ray.directionY() - y,
         nz = ray.startZ() + t * ray.directionZ() - z;
     final double s = r / Math.sqrt(nx * nx + ny * ny + nz * nz);
-    return Hit.of(t, x + s * nx, y + s * ny, z + s * nz, nx, ny, nz, Rounding.bound(x, y, z, 2 * r), this);
+    final Hit hit = Hit.of(t, x + s * nx, y + s * ny, z + s * nz, nx, ny, nz, Rounding.bound(x, y, z, 2 * r), this);
+    return texture == null ? hit : hit.withShading(nx, ny, nz, textureU(nx, nz), textureV(nx, ny, nz));
+  }
+
+  /** From left to right around the axis Y; the middle at the poles, where all are right. */
+  private static double textureU(final double px, final double pz) {
+    return px == 0 && pz == 0 ? 0.5 : 0.5 + Math.atan2(px, pz) / (2 * Math.PI);
+  }
+
+  /** From the lower pole to the upper; the arc tangent is the more exact arc sine near them. */
+  private static double textureV(final double px, final double py, final double pz) {
+    return 0.5 + Math.atan2(py, Math.sqrt(px * px + pz * pz)) / Math.PI;
+  }
+
+  @Override
+  boolean isTextured() {
+    return texture != null;
+  }
+
+  /**
+   * The colour to be painted at a hit: with a texture, its texel there.
+   *
+   * @param hit the hit, whose object is this one
+   * @return the colour
+   */
+  @Override
+  public Color getColorAt(final Hit hit) {
+    return texture == null || Double.isNaN(hit.textureU()) ? getColor() : texture.getColor(hit.textureU(), hit.textureV());
   }
 
   @Override
@@ -94,7 +139,12 @@ public class Sphere extends Object3D {
 
   @Override
   public List<Object> constructorArguments() {
-    return List.of(new Point3D((float) x, (float) y, (float) z), (float) r, getColor());
+    return List.of(new Point3D((float) x, (float) y, (float) z), (float) r, look());
+  }
+
+  @Override
+  Object look() {
+    return texture == null ? super.look() : texture;
   }
 
   @Override

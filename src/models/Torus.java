@@ -192,7 +192,7 @@ public class Torus extends ProceduralObject3D {
 
   @Override
   public List<Object> constructorArguments() {
-    return List.of(axis.point(), axis.unit(), (float) R, (float) r, getColor());
+    return List.of(axis.point(), axis.unit(), (float) R, (float) r, look());
   }
 
   @Override

@@ -177,7 +177,7 @@ public class TruncatedCone extends Object3D {
         && isRounded(px, wx, x) && isRounded(py, wy, y) && isRounded(pz, wz, z) && !isOnSide(-wx, -wy, -wz);
   }
 
-  /** Whether a point, relative to the origin, is on the side up to rounding: a ray may follow the side from there to the tip. */
+  /** Whether a point, relative to the origin, is on the side up to rounding; from there a ray may follow it to the tip. */
   private boolean isOnSide(final double px, final double py, final double pz) {
     final double s = axis.along(px, py, pz);
     final double off = Math.sqrt(Math.max(0, px * px + py * py + pz * pz - s * s)) - r - slope * s;
@@ -245,7 +245,7 @@ public class TruncatedCone extends Object3D {
 
   @Override
   public List<Object> constructorArguments() {
-    return List.of(axis.point(), axis.unit(), (float) rA, (float) rB, (float) (2 * half), getColor());
+    return List.of(axis.point(), axis.unit(), (float) rA, (float) rB, (float) (2 * half), look());
   }
 
   @Override

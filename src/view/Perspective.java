@@ -40,16 +40,12 @@ public class Perspective extends Projection {
     private final Camera camera;
     private final Projection projection;
     private final Pencil pencil;
-    private final double[] columnCentres;
-    private final double[] rowCentres;
 
     PerspectiveRayGenerator(final Camera camera, final int W, final int H) {
       super(camera, W, H);
       this.camera = camera;
       this.projection = camera.getProjection();
       this.pencil = camera.pencil();
-      this.columnCentres = projection.columnCentres(0, W, W);
-      this.rowCentres = projection.rowCentres(H);
     }
 
     @Override
@@ -63,7 +59,8 @@ public class Perspective extends Projection {
     @Override
     public void fill(final RayTile tile, final int m, final int n) {
       checkTile(tile, m, n);
-      tile.fill(pencil, columnCentres, m, rowCentres, n);
+      tile.fill(pencil, projection.columnCentres(m, tile.columns(), getWidth()), 0,
+          projection.rowCentres(n, tile.rows(), getHeight()), 0);
     }
   }
 }

@@ -83,11 +83,11 @@ public abstract class Projection {
     return centres;
   }
 
-  /** {@link #rowCentre} of all rows. */
-  final double[] rowCentres(final int H) {
-    final double[] centres = new double[H];
-    for (int i = 0; i < H; i++) {
-      centres[i] = rowCentre(i, H);
+  /** y of the centres of the pixels of some rows of H, from row n on. */
+  final double[] rowCentres(final int n, final int rows, final int H) {
+    final double[] centres = new double[rows];
+    for (int i = 0; i < rows; i++) {
+      centres[i] = rowCentre(n + i, H);
     }
     return centres;
   }

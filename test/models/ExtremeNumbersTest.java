@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
+import java.awt.image.BufferedImage;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.Executable;
 import java.lang.reflect.InvocationTargetException;
@@ -24,9 +25,13 @@ import javax.vecmath.Vector3f;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import materials.Lambertian;
+import materials.Material;
+import materials.Texture;
 import primitives.BoundingBox;
 import primitives.Point3D;
 import primitives.Vector3D;
+import radiometry.ReflectanceRGB;
 import tracer.Hit;
 import tracer.Ray;
 import tracer.RayGenerator;
@@ -137,6 +142,7 @@ class ExtremeNumbersTest {
 
   private static boolean canMake(final Class<?> type) {
     return type.isPrimitive() || List.of(Point3D.class, Vector3D.class, Vector3f.class, Ray.class, Hit.class, Color.class,
+        Material.class, Texture.class,
         Object3D.class, Map.class, List.class, float[].class, int[].class, BoundingBox.class, Camera.class, Projection.class,
         Group3D.class).contains(type);
   }
@@ -147,6 +153,9 @@ class ExtremeNumbersTest {
     }
     if (type == float.class) {
       return number(random, wildness);
+    }
+    if (type == boolean.class) {
+      return random.nextBoolean();
     }
     if (type == double.class) {
       return (double) number(random, wildness);
@@ -172,6 +181,12 @@ class ExtremeNumbersTest {
     }
     if (type == Color.class) {
       return Color.RED;
+    }
+    if (type == Material.class) {
+      return new Lambertian(new ReflectanceRGB(1, 0.5f, 0));
+    }
+    if (type == Texture.class) {
+      return new Texture(new BufferedImage(3, 2, BufferedImage.TYPE_INT_ARGB));
     }
     if (type == Map.class) {
       final Map<Integer, Point3D> vertices = new HashMap<>();

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.awt.Color;
+import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -23,10 +24,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
+import materials.IdealDielectric;
 import materials.Material;
+import materials.Texture;
 import primitives.BoundingBox;
 import primitives.Point3D;
 import primitives.Vector3D;
+import radiometry.ReflectanceRGB;
 import tracer.Hit;
 import tracer.Ray;
 
@@ -41,6 +45,8 @@ class WrongArgumentsTest {
   private static final Vector3f S = new Vector3f(1, 1, 1);
   private static final Color RED = Color.RED;
   private static final Sphere BALL = new Sphere(O, 1, RED);
+  private static final Material GLASS = new IdealDielectric(new ReflectanceRGB(1, 1, 1), 1.5f, 1);
+  private static final Texture TEXTURE = new Texture(new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB));
   private static final List<Float> NO_SIZES = List.of(0f, -0f, -1.5f, Float.NaN, Float.POSITIVE_INFINITY,
       Float.NEGATIVE_INFINITY);
   private static final List<Float> NO_NUMBERS = List.of(Float.NaN, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY);
@@ -99,6 +105,11 @@ class WrongArgumentsTest {
     size("r", r -> new Sphere(O, r, RED));
     wrong("color", "null", () -> new Sphere(O, 1, (Color) null));
     wrong("material", "null", () -> new Sphere(O, 1, (Material) null));
+    point("C", C -> new Sphere(C, 1, GLASS));
+    size("r", r -> new Sphere(O, r, GLASS));
+    point("C", C -> new Sphere(C, 1, TEXTURE));
+    size("r", r -> new Sphere(O, r, TEXTURE));
+    wrong("texture", "null", () -> new Sphere(O, 1, (Texture) null));
     point("P", P -> new Plane(P, V, RED));
     direction("n", n -> new Plane(O, n, RED));
     wrong("color", "null", () -> new Plane(O, V, (Color) null));
