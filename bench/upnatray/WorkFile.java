@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.StringTokenizer;
 
+import meshes.ObjMesh;
 import meshes.ObjReader;
 import models.Ellipsoid;
 import models.Group3D;
@@ -41,7 +42,7 @@ public final class WorkFile {
   private Vector3D up = Y;
   private float fov;
   private Color background = Color.BLACK;
-  private ObjReader.Mesh mesh;
+  private ObjMesh mesh;
   private Color meshColor;
 
   private WorkFile() {
@@ -134,7 +135,7 @@ public final class WorkFile {
   public Group3D scene() {
     final Group3D scene = new Group3D();
     if (mesh != null) {
-      scene.addObject(TriangularMesh.of(mesh.coordinates(), mesh.corners(), meshColor));
+      scene.addObject(TriangularMesh.of(mesh.flat(), meshColor));
       mesh = null;
     }
     objects.forEach(scene::addObject);

@@ -1,6 +1,7 @@
 package materials;
 
 import static arguments.Arguments.notNull;
+import static arguments.Arguments.wrong;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
@@ -30,6 +31,30 @@ public final class Texture {
     this.height = image.getHeight();
     this.texels = new StoredTexels(image).read();
     this.mean = new Color(mean(16), mean(8), mean(0), mean(24));
+  }
+
+  private Texture(final Texture texture, final double opacity) {
+    this.width = texture.width;
+    this.height = texture.height;
+    this.texels = texture.texels.clone();
+    for (int i = 0; i < texels.length; i++) {
+      texels[i] = texels[i] & 0xFFFFFF | (int) Math.floor((texels[i] >>> 24) * opacity + 0.5) << 24;
+    }
+    this.mean = new Color(mean(16), mean(8), mean(0), mean(24));
+  }
+
+  /**
+   * The texture with less opaque texels.
+   *
+   * @param opacity what the alpha of each texel is multiplied by, from 0 to 1
+   * @return the texture, its alpha rounded
+   * @throws IllegalArgumentException if the opacity is out of range
+   */
+  public Texture withOpacity(final double opacity) {
+    if (!(opacity >= 0 && opacity <= 1)) {
+      throw wrong("between", "opacity", opacity, 0, 1);
+    }
+    return new Texture(this, opacity);
   }
 
   private int mean(final int shift) {

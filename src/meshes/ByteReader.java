@@ -72,6 +72,11 @@ final class ByteReader {
     return before + at;
   }
 
+  /** Number of bytes of the file before the window. */
+  long windowStart() {
+    return before;
+  }
+
   /** There is more in a file than is accepted. */
   static final class TooLongException extends IOException {
     private static final long serialVersionUID = 1L;

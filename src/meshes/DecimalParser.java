@@ -3,13 +3,15 @@ package meshes;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Reads decimal numbers from bytes, rounded to the nearest float as {@link Float#parseFloat} does, many times faster.
+ * Reads decimal numbers from bytes, many times faster than {@link Double#parseDouble}.
  *
- * <p>The digits are gathered into a whole number w, and w · 10^e is computed in double: w is rounded once, the power of ten
- * once and the product once, so that the double is wrong by less than 2 of its units in the last place; digits past
- * the 18th add less than a hundredth. The float nearest to it is the right one unless the double lies that near to the
- * middle between two floats, 2<sup>28</sup> units from either: then, once in tens of millions of numbers, the slow and
- * exact way is taken. (The idea is that of Clinger, "How to read floating point numbers accurately", PLDI 1990.)
+ * <p>The digits are gathered into a whole number w, and w · 10<sup>e</sup> is computed in double. Up to 15 digits and a
+ * power of at most 22 both factors are exact, and so is the rounding: the number is the one that the JDK reads. Beyond that
+ * it is wrong by less than 2 units in the last place of a double; digits past the 18th add less than a hundredth. (Clinger,
+ * "How to read floating point numbers accurately", PLDI 1990.)
+ *
+ * <p>The number rounded to float is what {@link Float#parseFloat} reads, always: where a double lies so near the middle
+ * between two floats that its error matters, once in tens of millions of numbers, the slow way is taken.
  */
 final class DecimalParser {
 
@@ -24,6 +26,10 @@ final class DecimalParser {
   /** Powers of ten, from that of the least exponent on. */
   private static final int LARGEST_EXPONENT = 60;
   private static final double[] POWERS = new double[2 * LARGEST_EXPONENT + 1];
+
+  /** The largest whole number and the largest power of ten up to which all are exact in double. */
+  private static final long EXACT = 1L << 53;
+  private static final int EXACT_POWER = 22;
 
   static {
     for (int i = 0; i < POWERS.length; i++) {
@@ -43,9 +49,9 @@ final class DecimalParser {
    *
    * @param bytes the bytes, in which something other than a number follows
    * @param start index of the first byte
-   * @return the number, infinite if it is larger than floats are; NaN if there is none
+   * @return the number, perhaps infinite; NaN if there is none
    */
-  float parse(final byte[] bytes, final int start) {
+  double parse(final byte[] bytes, final int start) {
     int i = start;
     final boolean negative = bytes[i] == '-';
     if (negative || bytes[i] == '+') {
@@ -81,7 +87,7 @@ final class DecimalParser {
     }
     end = count == 0 ? start : i;
     if (count == 0) {
-      return Float.NaN;
+      return Double.NaN;
     }
     if ((bytes[i] | 0x20) == 'e') {
       exponent += exponent(bytes, i + 1);
@@ -105,15 +111,26 @@ final class DecimalParser {
     return negative ? -exponent : exponent;
   }
 
-  private float rounded(final boolean negative, final long w, final int exponent, final byte[] bytes, final int start) {
+  private double rounded(final boolean negative, final long w, final int exponent, final byte[] bytes, final int start) {
     if (exponent >= -LARGEST_EXPONENT && exponent <= LARGEST_EXPONENT) {
-      final double value = w * POWERS[exponent + LARGEST_EXPONENT];
+      final boolean exact = exponent < 0 && exponent >= -EXACT_POWER && w <= EXACT;
+      final double value = exact ? w / POWERS[LARGEST_EXPONENT - exponent] : w * POWERS[exponent + LARGEST_EXPONENT];
       final long fromMiddle = (Double.doubleToRawLongBits(value) & DROPPED) - MIDDLE;
       final boolean normal = value >= Float.MIN_NORMAL || w == 0;
       if (normal && (fromMiddle > DOUBT || fromMiddle < -DOUBT)) {
-        return negative ? (float) -value : (float) value;
+        return negative ? -value : value;
       }
     }
-    return Float.parseFloat(new String(bytes, start, end - start, StandardCharsets.ISO_8859_1));
+    return slowly(new String(bytes, start, end - start, StandardCharsets.ISO_8859_1));
+  }
+
+  /** The JDK's double, moved by one unit if it rounds to another float than the text does: it then lies in the middle. */
+  private static double slowly(final String text) {
+    final double value = Double.parseDouble(text);
+    final float rounded = Float.parseFloat(text);
+    if ((float) value == rounded) {
+      return value;
+    }
+    return (float) value < rounded ? Math.nextUp(value) : Math.nextDown(value);
   }
 }

@@ -1,2 +1,2 @@
-/** Files of meshes: Wavefront OBJ text files, also zipped. */
+/** Files of meshes, which are Wavefront OBJ text files, also zipped; of their materials; and of textures. */
 package meshes;

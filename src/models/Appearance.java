@@ -6,29 +6,74 @@ import static arguments.Arguments.wrongState;
 import java.awt.Color;
 
 import materials.Material;
+import materials.Texture;
 
 /**
- * How an object looks: its colour where there is no illumination, and its material where there is. With it a shape has one
- * constructor that does the work, and two that say what it is made of.
+ * How an object looks: its colour or its texture where there is no illumination, and its material where there is. With it a
+ * shape has one constructor that does the work, and others that say what it is made of.
  *
- * @param color the colour; null for an object whose parts have theirs
- * @param material the material; null if the object is matte, of its colour
+ * @param color the colour, of a texture its mean; null for an object whose parts have theirs
+ * @param material the material; null if the object is matte, of its colour at each point
+ * @param texture the texture; null if the object has its colour everywhere
  */
-record Appearance(Color color, Material material) {
+public record Appearance(Color color, Material material, Texture texture) {
 
   /** The appearance of what has neither colour nor material of its own. */
-  static final Appearance NONE = new Appearance(null, null);
+  static final Appearance NONE = new Appearance(null, null, null);
 
-  static Appearance of(final Color color) {
+  /** An appearance without texture. */
+  Appearance(final Color color, final Material material) {
+    this(color, material, null);
+  }
+
+  /**
+   * The appearance of a colour.
+   *
+   * @param color the colour
+   * @return the appearance
+   * @throws IllegalArgumentException if the colour is null
+   */
+  public static Appearance of(final Color color) {
     return new Appearance(notNull("color", color), null);
   }
 
-  /** The appearance of a material; its colour is the one that stands for it. */
-  static Appearance of(final Material material) {
+  /**
+   * The appearance of a material; its colour is the one that stands for it.
+   *
+   * @param material the material
+   * @return the appearance
+   * @throws IllegalArgumentException if the material is null
+   */
+  public static Appearance of(final Material material) {
     final Color color = notNull("material", material).getColor();
     if (color == null) {
       throw wrongState("nullResult", material.getClass().getName(), "getColor");
     }
     return new Appearance(color, material);
+  }
+
+  /**
+   * The appearance of a texture; its colour is the mean of the texels.
+   *
+   * @param texture the texture
+   * @return the appearance
+   * @throws IllegalArgumentException if the texture is null
+   */
+  public static Appearance of(final Texture texture) {
+    return new Appearance(notNull("texture", texture).getMeanColor(), null, texture);
+  }
+
+  /**
+   * Whether there is a material.
+   *
+   * @return false if the object is matte
+   */
+  public boolean isMaterial() {
+    return material != null;
+  }
+
+  /** The same without texture. */
+  Appearance untextured() {
+    return texture == null ? this : new Appearance(color, material);
   }
 }

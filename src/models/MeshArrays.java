@@ -3,53 +3,85 @@ package models;
 import static arguments.Arguments.index;
 import static arguments.Arguments.wrong;
 
-/** The arrays of a mesh: x, y, z of each vertex, and the places there of the x of each triangle's three vertices. */
+import java.awt.Color;
+import java.util.Arrays;
+
+/**
+ * The arrays of a mesh as it is hit: x, y, z of each vertex in floats, and the places there of the x of each triangle's
+ * three vertices. Triangles that have no area in floats are left out.
+ */
 final class MeshArrays {
 
   final float[] coordinates;
   final int[] corners;
 
-  private MeshArrays(final float[] coordinates, final int[] corners) {
+  /** For each triangle its number in the arrays that were given; null if none is left out. */
+  private final int[] given;
+
+  private MeshArrays(final float[] coordinates, final int[] corners, final int[] given) {
     this.coordinates = coordinates;
     this.corners = corners;
+    this.given = given;
+  }
+
+  int size() {
+    return corners.length / 3;
+  }
+
+  /** The number that a triangle had before others were left out. */
+  int given(final int facet) {
+    return given == null ? facet : given[facet];
   }
 
   /**
    * Arrays from outside, without the triangles that have no area: the coordinates as they are given, new corners.
    *
-   * @param given vertex numbers, three to a triangle
-   * @throws IllegalArgumentException if something is wrong with them; see {@link TriangularMesh#of}
+   * @param numbers vertex numbers, three to a triangle
+   * @throws IllegalArgumentException if something is wrong with them; see {@link TriangularMesh#of(float[], int[], Color)}
    */
-  static MeshArrays checked(final float[] coordinates, final String name, final int[] given) {
-    if (coordinates.length % 3 != 0 || given.length % 3 != 0) {
-      throw wrong("triples", coordinates.length, given.length);
+  static MeshArrays checked(final float[] coordinates, final String name, final int[] numbers) {
+    if (coordinates.length % 3 != 0 || numbers.length % 3 != 0) {
+      throw wrong("triples", coordinates.length, numbers.length);
     }
     for (int i = 0; i < coordinates.length; i++) {
       if (!Float.isFinite(coordinates[i])) {
         throw wrong("finite", "coordinates[" + i + "]", coordinates[i]);
       }
     }
-    final int[] corners = new int[given.length];
+    final int[] corners = new int[numbers.length];
+    final int[] given = new int[numbers.length / 3];
     int end = 0;
-    for (int i = 0; i < given.length; i += 3) {
-      final int a = place(coordinates, given, i), b = place(coordinates, given, i + 1), c = place(coordinates, given, i + 2);
+    for (int i = 0; i < numbers.length; i += 3) {
+      final int a = place(coordinates, numbers, i), b = place(coordinates, numbers, i + 1),
+          c = place(coordinates, numbers, i + 2);
       if (hasArea(coordinates, a, b, c)) {
+        given[end / 3] = i / 3;
         corners[end++] = a;
         corners[end++] = b;
         corners[end++] = c;
       }
     }
     if (end == 0) {
-      throw wrong("noTriangle", name, given.length / 3);
+      throw wrong("noTriangle", name, numbers.length / 3);
     }
-    return new MeshArrays(coordinates, end == corners.length ? corners : java.util.Arrays.copyOf(corners, end));
+    return end == corners.length ? new MeshArrays(coordinates, corners, null)
+        : new MeshArrays(coordinates, Arrays.copyOf(corners, end), Arrays.copyOf(given, end / 3));
   }
 
-  private static int place(final float[] coordinates, final int[] given, final int i) {
-    if (given[i] < 0 || given[i] >= coordinates.length / 3) {
-      index("corners[" + i + "]", coordinates.length / 3, given[i]);
+  /** Arrays in double, rounded to floats. */
+  static MeshArrays rounded(final MeshData data) {
+    final float[] coordinates = new float[data.coordinates().length];
+    for (int i = 0; i < coordinates.length; i++) {
+      coordinates[i] = (float) data.coordinates()[i];
     }
-    return 3 * given[i];
+    return checked(coordinates, "corners", data.corners());
+  }
+
+  private static int place(final float[] coordinates, final int[] numbers, final int i) {
+    if (numbers[i] < 0 || numbers[i] >= coordinates.length / 3) {
+      index("corners[" + i + "]", coordinates.length / 3, numbers[i]);
+    }
+    return 3 * numbers[i];
   }
 
   /** Whether a triangle has an area at all: its normal, in double, is not zero. */

@@ -1,7 +1,5 @@
 package models;
 
-import java.awt.Color;
-
 import acceleration.Bvh;
 import acceleration.TileFrustum;
 import primitives.BoundingBox;
@@ -115,9 +113,10 @@ final class MeshTree {
     return coordinates[at];
   }
 
-  Triangle triangle(final int facet, final Color color) {
-    final int place = places()[facet];
-    return new Triangle(coordinates, vertex(place, 0), vertex(place, 1), vertex(place, 2), color);
+  Triangle triangle(final int facet, final Appearance appearance) {
+    final int place = places()[facet], a = vertex(place, 0), b = vertex(place, 1), c = vertex(place, 2);
+    return appearance.texture() == null ? new Triangle(coordinates, a, b, c, appearance)
+        : new MeshTriangle(coordinates, a, b, c, appearance);
   }
 
   private int[] places() {

@@ -143,6 +143,21 @@ public class Triangle extends Object3D {
         nx, ny, nz, errorBound(ray, t, Math.sqrt(nx * nx + ny * ny + nz * nz)), this);
   }
 
+  /**
+   * The barycentric coordinates of the point of a ray at a distance, by the areas of the triangles that it makes with each
+   * two vertices, counted from the first vertex: so a start far away costs no precision.
+   */
+  Weights weights(final Ray ray, final double t) {
+    final double x = ray.startX() - ax + t * ray.directionX(), y = ray.startY() - ay + t * ray.directionY(),
+        z = ray.startZ() - az + t * ray.directionZ();
+    final double px = (double) bx - ax, py = (double) by - ay, pz = (double) bz - az;
+    final double qx = (double) cx - ax, qy = (double) cy - ay, qz = (double) cz - az;
+    final double nx = normalX(), ny = normalY(), nz = normalZ(), area2 = nx * nx + ny * ny + nz * nz;
+    final double b = (nx * (y * qz - z * qy) + ny * (z * qx - x * qz) + nz * (x * qy - y * qx)) / area2;
+    final double c = (nx * (py * z - pz * y) + ny * (pz * x - px * z) + nz * (px * y - py * x)) / area2;
+    return Weights.proportionalTo(1 - b - c, b, c);
+  }
+
   /** The normal of a thin triangle is less exact than its edges, by as much as the product of two is longer. */
   private double errorBound(final Ray ray, final double t, final double doubleArea) {
     final double px = (double) bx - ax, py = (double) by - ay, pz = (double) bz - az;

@@ -1,5 +1,6 @@
 package models;
 
+import static arguments.Arguments.index;
 import static arguments.Arguments.notNull;
 
 import java.awt.Color;
@@ -7,11 +8,11 @@ import java.util.AbstractList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 
 import acceleration.RayTile;
+import materials.Material;
 import primitives.BoundingBox;
 import primitives.Point3D;
 import tracer.Hit;
@@ -29,8 +30,15 @@ import tracer.Ray;
  */
 public class TriangularMesh extends Object3D {
 
-  private final Color color;
+  /** Interpolated normals shorter than this have no direction left: the triangle's own counts. */
+  private static final double SHORTEST = 1e-6;
+
   private final MeshTree tree;
+  /** What shades the corners; null for a flat mesh. */
+  private final CornerNormals normals;
+  /** Null for a mesh without texture coordinates. */
+  private final CornerTexCoords texCoords;
+  private final MeshAppearance appearance;
   private final AtomicReference<AtomicReferenceArray<Triangle>> made = new AtomicReference<>();
 
   /**
@@ -44,7 +52,7 @@ public class TriangularMesh extends Object3D {
    *     not three indices of the map, or if no facet has an area
    */
   public TriangularMesh(final Map<Integer, Point3D> vertices, final List<String> facetas, final Color color) {
-    this(FacetParser.arrays(vertices, facetas), notNull("color", color));
+    this(FacetParser.arrays(vertices, facetas), Appearance.of(color));
   }
 
   /**
@@ -60,10 +68,29 @@ public class TriangularMesh extends Object3D {
     this(FacetParser.arrays(vertices, facetas), null);
   }
 
-  private TriangularMesh(final MeshArrays arrays, final Color color) {
+  /** A flat mesh; null: random colours. */
+  private TriangularMesh(final MeshArrays arrays, final Appearance appearance) {
     super();
-    this.color = color;
     this.tree = new MeshTree(arrays);
+    this.normals = null;
+    this.texCoords = null;
+    this.appearance = MeshAppearance.of(appearance);
+  }
+
+  private TriangularMesh(final MeshData data, final MeshArrays arrays, final MeshAppearance appearance) {
+    super();
+    this.tree = new MeshTree(arrays);
+    this.normals = data.normals() == null ? null : new CornerNormals(data, arrays);
+    this.texCoords = data.texCoords() == null ? null : new CornerTexCoords(data, arrays);
+    this.appearance = appearance;
+  }
+
+  private TriangularMesh(final TriangularMesh mesh, final MeshAppearance appearance) {
+    super();
+    this.tree = mesh.tree;
+    this.normals = mesh.normals;
+    this.texCoords = mesh.texCoords;
+    this.appearance = appearance;
   }
 
   /**
@@ -78,17 +105,87 @@ public class TriangularMesh extends Object3D {
    */
   public static TriangularMesh of(final float[] coordinates, final int[] corners, final Color color) {
     notNull("coordinates", coordinates);
-    return new TriangularMesh(MeshArrays.checked(coordinates, "corners", notNull("corners", corners)), color);
+    return new TriangularMesh(MeshArrays.checked(coordinates, "corners", notNull("corners", corners)),
+        color == null ? null : Appearance.of(color));
+  }
+
+  /**
+   * A mesh of arrays in double precision, perhaps with normals that shade it and with texture coordinates.
+   *
+   * @param data the arrays; what of them rounding to floats leaves without area is left out
+   * @param appearance what all triangles look like; one with a corner without texture coordinates has the mean colour of a
+   *     texture
+   * @return the mesh
+   * @throws IllegalArgumentException if an argument is null, if the length of an array is no multiple of 3, if a coordinate
+   *     is not finite as a float, if a corner names no vertex, or if no triangle has an area
+   */
+  public static TriangularMesh of(final MeshData data, final Appearance appearance) {
+    return new TriangularMesh(notNull("data", data), MeshArrays.rounded(data),
+        MeshAppearance.of(notNull("appearance", appearance)));
+  }
+
+  /**
+   * A mesh whose triangles look different from each other.
+   *
+   * @param data the arrays, as in {@link #of(MeshData, Appearance)}
+   * @param appearances what triangles look like
+   * @param ofTriangle for each triangle of the arrays the number of its appearance, from 0
+   * @return the mesh
+   * @throws IllegalArgumentException as {@link #of(MeshData, Appearance)} does, and if a number names no appearance
+   */
+  public static TriangularMesh of(final MeshData data, final List<Appearance> appearances, final int[] ofTriangle) {
+    index("ofTriangle.length", notNull("ofTriangle", ofTriangle).length + 1, notNull("data", data).corners().length / 3);
+    for (int i = 0; i < ofTriangle.length; i++) {
+      index("ofTriangle[" + i + "]", notNull("appearances", appearances).size(), ofTriangle[i]);
+    }
+    final MeshArrays arrays = MeshArrays.rounded(data);
+    return new TriangularMesh(data, arrays, MeshAppearance.of(appearances, ofTriangle, arrays));
+  }
+
+  /**
+   * The same mesh with another appearance: both share their geometry.
+   *
+   * @param other what all triangles look like
+   * @return the mesh
+   * @throws IllegalArgumentException if the appearance is null
+   */
+  public TriangularMesh with(final Appearance other) {
+    return new TriangularMesh(this, MeshAppearance.of(notNull("other", other)));
+  }
+
+  /**
+   * Whether triangles have texture coordinates.
+   *
+   * @return true if at least one may have them
+   */
+  public boolean hasTexCoords() {
+    return texCoords != null;
   }
 
   /**
    * Colour of the mesh.
    *
-   * @return the colour; null if each triangle has one of its own
+   * @return the colour, of a texture its mean; null if each triangle has one of its own
    */
   @Override
   public Color getColor() {
-    return color;
+    return appearance.common() == null ? null : appearance.common().color();
+  }
+
+  @Override
+  public Material getMaterial() {
+    return appearance.common() == null ? null : appearance.common().material();
+  }
+
+  /** What is painted is the triangle that was hit. */
+  @Override
+  public Color getColorAt(final Hit hit) {
+    return notNull("hit", hit).getObject() instanceof MeshTriangle triangle ? triangle.getColorAt(hit) : getColor();
+  }
+
+  @Override
+  boolean isTextured() {
+    return appearance.isTextured();
   }
 
   @Override
@@ -101,8 +198,25 @@ public class TriangularMesh extends Object3D {
   @Override
   Hit hitAt(final Ray ray, final double t, final int part) {
     final Triangle triangle = triangle(part);
-    return triangle.hitAt(ray, triangle.distance(ray.startX(), ray.startY(), ray.startZ(),
-        ray.directionX(), ray.directionY(), ray.directionZ()), 0);
+    final double distance = triangle.distance(ray.startX(), ray.startY(), ray.startZ(),
+        ray.directionX(), ray.directionY(), ray.directionZ());
+    final Hit flat = triangle.hitAt(ray, distance, 0);
+    return normals == null && texCoords == null || !flat.hits() ? flat
+        : shaded(flat, part, triangle.weights(ray, distance));
+  }
+
+  private Hit shaded(final Hit flat, final int facet, final Weights weights) {
+    final double gx = flat.geometricX(), gy = flat.geometricY(), gz = flat.geometricZ();
+    double x = gx, y = gy, z = gz;
+    if (normals != null) {
+      x = normals.component(facet, 0, weights, gx);
+      y = normals.component(facet, 1, weights, gy);
+      z = normals.component(facet, 2, weights, gz);
+    }
+    final boolean hasDirection = x * x + y * y + z * z > SHORTEST * SHORTEST;
+    return flat.withShading(hasDirection ? x : gx, hasDirection ? y : gy, hasDirection ? z : gz,
+        texCoords == null ? Double.NaN : texCoords.coordinate(facet, 0, weights),
+        texCoords == null ? Double.NaN : texCoords.coordinate(facet, 1, weights));
   }
 
   @Override
@@ -127,12 +241,7 @@ public class TriangularMesh extends Object3D {
 
   @Override
   int argb(final int part) {
-    return colorOf(part).getRGB();
-  }
-
-  /** A colour that depends on the number of the triangle only; the mixing is that of SplittableRandom's seed. */
-  private Color colorOf(final int facet) {
-    return color != null ? color : new Color(new SplittableRandom(facet).nextInt(1 << 24));
+    return appearance.argb(part);
   }
 
   @Override
@@ -171,8 +280,14 @@ public class TriangularMesh extends Object3D {
     if (known != null) {
       return known;
     }
-    triangles.compareAndSet(facet, null, tree.triangle(facet, colorOf(facet)));
+    triangles.compareAndSet(facet, null, tree.triangle(facet, appearanceOf(facet)));
     return triangles.get(facet);
+  }
+
+  /** The appearance of a triangle, without the texture if a corner does not lie in it. */
+  private Appearance appearanceOf(final int facet) {
+    final Appearance its = appearance.of(facet);
+    return texCoords != null && texCoords.has(facet) ? its : its.untextured();
   }
 
   @Override

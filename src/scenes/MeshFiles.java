@@ -1,39 +1,102 @@
 package scenes;
 
-import java.awt.Color;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
 
 import arguments.Messages;
 import diagnostics.Problem;
+import diagnostics.SimilarFile;
+import meshes.MaterialFiles;
+import meshes.ObjMesh;
 import meshes.ObjReader;
+import models.Appearance;
+import models.MeshData;
 import models.Object3D;
 import models.TriangularMesh;
 
 /**
  * The meshes of a scene file. They are looked for in the scene's own directory, then in {@code scenes} under the working
- * directory; each file is read once, when the first object shows it, and shared by all objects of a colour.
+ * directory; each file is read once, when the first object shows it.
  */
 final class MeshFiles {
 
+  /** What a file is called that may have been meant where another is missing. */
+  private static final String[] MESHES = {".obj", ".zip"};
+  private static final String[] IMAGES = {".png", ".jpg", ".jpeg", ".gif", ".bmp"};
+
   /** A file with what was read of it. */
+  private final class MeshFile {
+
+    private final Path path;
+    private final int offset;
+    private boolean averaged;
+    private ObjMesh mesh;
+    private boolean read;
+    private MaterialFiles materials;
+
+    MeshFile(final Path path, final int offset) {
+      this.path = path;
+      this.offset = offset;
+    }
+
+    /** The mesh; null if the file is at fault, which is reported once. */
+    ObjMesh mesh() {
+      if (!read) {
+        read = true;
+        final ObjReader.Result reading = new ObjReader(path, averaged).read();
+        for (final Problem problem : reading.problems()) {
+          problems.add(offset, problem);
+        }
+        mesh = reading.mesh();
+      }
+      return mesh;
+    }
+
+    /** The materials of the mesh, whose problems are reported once. */
+    MaterialFiles materials() {
+      if (materials == null) {
+        materials = new MaterialFiles(path, mesh());
+        for (final Problem problem : materials.problems()) {
+          problems.add(offset, problem);
+        }
+        materialFiles.addAll(materials.files());
+      }
+      return materials;
+    }
+  }
+
+  /** A mesh with normals or without. */
   private final class MeshModel implements Model {
 
-    private final Path file;
-    private final int offset;
-    private final Map<Color, Object3D> coloured = new HashMap<>();
-    private ObjReader.Mesh mesh;
-    private boolean read;
+    private final MeshFile file;
+    private final boolean flat;
+    private final boolean promediated;
+    private final Map<Appearance, TriangularMesh> coloured = new HashMap<>();
+    private MeshData data;
+    private TriangularMesh any;
+    private TriangularMesh ofMaterials;
 
-    MeshModel(final Path file, final int offset) {
+    MeshModel(final MeshFile file, final boolean flat, final boolean promediated) {
       this.file = file;
-      this.offset = offset;
+      this.flat = flat;
+      this.promediated = promediated;
+    }
+
+    @Override
+    public boolean hasMaterials() {
+      return file.mesh() == null || MaterialFiles.areIn(file.mesh());
+    }
+
+    @Override
+    public String textureFault() {
+      return file.mesh() == null || file.mesh().hasTexCoords() ? null : "noTexCoords";
     }
 
     @Override
@@ -41,58 +104,68 @@ final class MeshFiles {
       return placed(placement, look);
     }
 
-    /** The mesh under a transformation; null if its file is at fault, which is told once. */
+    /** The mesh under a transformation; null if its file is at fault. */
     @Override
     public Object3D placed(final Placement placement, final Appearance look) {
-      if (!read) {
-        read = true;
-        final ObjReader.Result reading = new ObjReader(file).read();
-        for (final Problem problem : reading.problems()) {
-          problems.add(offset, problem);
-        }
-        mesh = reading.mesh();
-      }
-      if (mesh == null) {
+      if (file.mesh() == null) {
         return null;
       }
-      Object3D object = coloured.get(look.color());
-      if (object == null) {
-        object = TriangularMesh.of(mesh.coordinates(), mesh.corners(), look.color());
-        coloured.put(look.color(), object);
+      if (data == null) {
+        data = flat ? file.mesh().flat() : promediated ? file.mesh().averaged() : file.mesh().smooth();
       }
-      return placement.applied(object);
+      return placement.applied(look == null ? ofMaterials() : of(look));
+    }
+
+    private TriangularMesh of(final Appearance look) {
+      final int bareLine = file.mesh().firstLineWithoutTexCoords();
+      if (look.texture() != null && bareLine > 0 && bare.add(file.path)) {
+        problems.add(file.offset, new Problem(file.path.toString(), bareLine, 1, Problem.Severity.WARNING,
+            Messages.text("scenes.someTexCoords")));
+      }
+      any = any != null ? any : TriangularMesh.of(data, look);
+      return coloured.computeIfAbsent(look, any::with);
+    }
+
+    private TriangularMesh ofMaterials() {
+      if (ofMaterials == null) {
+        final MaterialFiles materials = file.materials();
+        ofMaterials = TriangularMesh.of(data, materials.appearances(), materials.ofTriangles());
+      }
+      return ofMaterials;
     }
   }
 
   private final Path scene;
   private final Problems problems;
-  private final Map<Path, MeshModel> models = new HashMap<>();
+  private final Map<Path, MeshFile> meshes = new HashMap<>();
+  private final Set<Path> materialFiles = new HashSet<>();
+  /** The files of which it has been said that some of their facets have no place in a texture. */
+  private final Set<Path> bare = new HashSet<>();
 
   MeshFiles(final Path scene, final Problems problems) {
     this.scene = scene;
     this.problems = problems;
   }
 
-  /** The model of a mesh file; null, and told, if there is no such file. */
-  Model find(final String name, final int offset) {
-    final Path file = existing(name, offset, "noFile");
-    if (file == null) {
+  /** The model of a mesh file; null, and reported, if there is no such file. */
+  Model find(final String name, final int offset, final boolean flat, final boolean promediated) {
+    final Path path = existing(name, offset, "noFile");
+    if (path == null) {
       return null;
     }
-    MeshModel model = models.get(file);
-    if (model == null) {
-      model = new MeshModel(file, offset);
-      models.put(file, model);
-    }
-    return model;
+    final MeshFile file = meshes.computeIfAbsent(path, found -> new MeshFile(found, offset));
+    file.averaged |= !flat;
+    return new MeshModel(file, flat, promediated);
   }
 
-  /** The files of the meshes found so far. */
+  /** The files of the meshes found so far, and those of their materials. */
   Set<Path> paths() {
-    return Set.copyOf(models.keySet());
+    final Set<Path> paths = new HashSet<>(meshes.keySet());
+    paths.addAll(materialFiles);
+    return paths;
   }
 
-  /** The file of a name; null, and told with all places where it was looked for, if there is none. */
+  /** The file of a name; null, and reported with all places where it was looked for, if there is none. */
   Path existing(final String name, final int offset, final String message) {
     try {
       final Set<Path> places = places(name);
@@ -104,7 +177,8 @@ final class MeshFiles {
         }
       }
       if (found == null) {
-        problems.error(offset, message, Messages.quote(name), tried(places));
+        problems.error(offset, message, Messages.quote(name), tried(places)
+            + SimilarFile.question(scene.resolveSibling(name), message.equals("noFile") ? MESHES : IMAGES));
       }
       return found;
     } catch (final InvalidPathException noName) {

@@ -1,9 +1,20 @@
 package scenes;
 
+import models.Appearance;
 import models.Object3D;
 
 /** A model of a scene file: a shape about the origin of its own frame, without place and appearance. */
 interface Model {
+
+  /** Key of the message why no texture can be put on the model; null if one can. */
+  default String textureFault() {
+    return "textureNowhere";
+  }
+
+  /** Whether the model brings materials of its own; then it is placed with null for its appearance. */
+  default boolean hasMaterials() {
+    return false;
+  }
 
   /** The shape where a rigid placement takes it. */
   Object3D at(Placement placement, Appearance look);

@@ -108,9 +108,9 @@ final class ModelReader {
   }
 
   private Model mesh(final Element model) {
-    values.bool(model, "flat", false);
-    values.bool(model, "promediatedNormals", false);
+    final boolean flat = values.bool(model, "flat", false);
+    final boolean promediated = values.bool(model, "promediatedNormals", false);
     final String path = values.name(model, "objFile");
-    return path == null ? null : meshes.find(path, model.find("objFile").valueOffset());
+    return path == null ? null : meshes.find(path, model.find("objFile").valueOffset(), flat, promediated);
   }
 }

@@ -6,27 +6,29 @@ import java.util.Set;
 
 import arguments.Messages;
 import materials.Material;
+import materials.Texture;
+import models.Appearance;
 import models.Group3D;
 import models.Object3D;
 
-/** Reads the objects of a scene file: a model each, with its place and its colour. */
+/** Reads the objects of a scene file: a model each, with its place and its appearance. */
 final class ObjectReader {
 
   private final Values values;
   private final boolean illumination;
   private final ModelReader models;
   private final MaterialReader materials;
-  private final MeshFiles files;
+  private final TextureFiles textures;
   private final PlacementReader placements;
   private final Colours colours;
 
   ObjectReader(final Values values, final boolean illumination, final ModelReader models,
-      final MaterialReader materials, final MeshFiles files) {
+      final MaterialReader materials, final TextureFiles textures) {
     this.values = values;
     this.illumination = illumination;
     this.models = models;
     this.materials = materials;
-    this.files = files;
+    this.textures = textures;
     this.placements = new PlacementReader(values);
     this.colours = new Colours(values);
   }
@@ -35,9 +37,15 @@ final class ObjectReader {
   void read(final Element object, final Group3D group, final Map<Object3D, String> names) {
     final String id = values.name(object, "modelId");
     final Model model = id == null ? null : model(object, id);
-    final Appearance look = illumination ? litAppearance(object) : unlitAppearance(object);
+    final boolean own = values.has(object, "color") || values.has(object, "textureFile") || values.has(object, "materialId");
+    final boolean brought = !own && model != null && model.hasMaterials();
+    final Appearance look = brought ? null : illumination ? litAppearance(object) : unlitAppearance(object);
     final Placement placement = placements.read(object);
-    if (model == null || look == null || placement == null) {
+    if (model == null || look == null && !brought || placement == null) {
+      return;
+    }
+    if (look != null && look.texture() != null && model.textureFault() != null) {
+      values.problems().error(object.find("textureFile").valueOffset(), model.textureFault());
       return;
     }
     try {
@@ -68,64 +76,48 @@ final class ObjectReader {
         values.problems().didYouMean(id, ids));
   }
 
-  /** With illumination the material counts; an object that has none is matte, of its colour. */
+  /** With illumination the material counts; an object that has none is matte, of its texture or its colour. */
   private Appearance litAppearance(final Element object) {
+    final Appearance plain = plain(object);
     if (values.has(object, "materialId")) {
       final Material material = material(object);
       return material == null ? null : Appearance.of(material);
     }
-    if (values.has(object, "color")) {
-      texture(object, true);
-      values.problems().warning(object.find("color").offset(), "matte", "color");
-      return plain(object);
-    }
-    final Element texture = object.find("textureFile");
-    if (texture == null) {
+    final Element counts = object.find(values.has(object, "textureFile") ? "textureFile" : "color");
+    if (counts == null) {
       values.problems().error(object.offset(), "noMaterial");
     } else {
-      values.problems().error(texture.offset(), "materialNeeded", texture.name());
+      values.problems().warning(counts.offset(), "matte", counts.name());
     }
-    return null;
+    return plain;
   }
 
-  /** Without illumination the colour counts, then the colour that stands for the material. */
+  /** Without illumination the texture counts, else the colour, else the colour that stands for the material. */
   private Appearance unlitAppearance(final Element object) {
-    final boolean coloured = values.has(object, "color");
     final Material material = values.has(object, "materialId") ? material(object) : null;
-    final boolean textured = texture(object, coloured);
-    if (coloured) {
+    if (values.has(object, "textureFile") || values.has(object, "color")) {
       return plain(object);
     }
     if (material != null) {
       values.problems().warning(object.find("materialId").valueOffset(), "materialUnlit");
       return Appearance.of(material);
     }
-    if (!textured && !values.has(object, "materialId")) {
+    if (!values.has(object, "materialId")) {
       values.problems().error(object.offset(), "noColour");
     }
     return null;
   }
 
+  /** The texture of an object, or else its colour; null if it has neither, or an invalid one. */
   private Appearance plain(final Element object) {
-    final Color color = colours.of(values.optional(object, "color"));
-    return color == null ? null : Appearance.of(color);
-  }
-
-  /** Reports that a texture has no effect; returns whether there is one. */
-  private boolean texture(final Element object, final boolean coloured) {
-    final Element value = values.optional(object, "textureFile");
-    if (value == null) {
-      return false;
+    final Element texture = values.optional(object, "textureFile"), color = values.optional(object, "color");
+    final Color ofColor = color == null ? null : colours.of(color);
+    if (texture == null) {
+      return ofColor == null ? null : Appearance.of(ofColor);
     }
-    final String path = values.name(value);
-    if (path != null && files.existing(path, value.valueOffset(), "noTexture") != null) {
-      if (coloured) {
-        values.problems().warning(value.valueOffset(), "textureIgnored");
-      } else {
-        values.problems().error(value.valueOffset(), "textureUnsupported");
-      }
-    }
-    return true;
+    final String path = values.name(texture);
+    final Texture read = path == null ? null : textures.read(path, texture.valueOffset());
+    return read == null ? null : Appearance.of(read);
   }
 
   /** The material that an object names; null if there is none of this id, or if it is invalid. */

@@ -4,9 +4,11 @@ import java.awt.Color;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 import lights.Light;
 import lights.LightGroup;
@@ -27,6 +29,7 @@ final class SceneBuilder {
   private final Problems problems;
   private final Map<Object3D, String> names = new IdentityHashMap<>();
   private final MeshFiles files;
+  private final TextureFiles textures;
 
   SceneBuilder(final Path file, final Element image, final SceneGrammar vocabulary, final Values values) {
     this.image = image;
@@ -34,6 +37,7 @@ final class SceneBuilder {
     this.values = values;
     this.problems = values.problems();
     this.files = new MeshFiles(file, problems);
+    this.textures = new TextureFiles(files, problems);
   }
 
   /** The scene; null if an error was told. */
@@ -48,7 +52,7 @@ final class SceneBuilder {
     final Group3D objects = objects(lighting.on());
     final Element.Attribute name = image.attribute("name");
     return problems.hasErrors() ? null : new SceneFile(name == null ? "" : name.value(), W, H, background, lighting, camera,
-        objects, Collections.unmodifiableMap(names), files.paths());
+        objects, Collections.unmodifiableMap(names), filesRead());
   }
 
   private Lighting lighting(final Element engine) {
@@ -64,6 +68,12 @@ final class SceneBuilder {
       return facing ? Lighting.FACING : Lighting.PLAIN;
     }
     return new Lighting(true, true, lights, Math.max(0, depth), Float.isNaN(exposure) ? 0 : exposure);
+  }
+
+  private Set<Path> filesRead() {
+    final Set<Path> paths = new HashSet<>(files.paths());
+    paths.addAll(textures.paths());
+    return Set.copyOf(paths);
   }
 
   private Element section(final String name) {
@@ -113,7 +123,7 @@ final class SceneBuilder {
     final Group3D group = new Group3D();
     final Element scene = section("scene");
     if (scene != null) {
-      final ObjectReader objects = new ObjectReader(values, illumination, models, materials, files);
+      final ObjectReader objects = new ObjectReader(values, illumination, models, materials, textures);
       for (final Element object : scene.findAll("object")) {
         objects.read(object, group, names);
       }

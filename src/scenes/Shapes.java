@@ -1,5 +1,6 @@
 package scenes;
 
+import models.Appearance;
 import models.Box;
 import models.Capsule;
 import models.Cylinder;

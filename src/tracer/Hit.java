@@ -132,7 +132,8 @@ public final class Hit {
     final double behind = Math.min(0, (nx * gx + ny * gy + nz * gz) / length);
     final double cx = nx / length - behind * gx, cy = ny / length - behind * gy, cz = nz / length - behind * gz;
     final double cut = Math.sqrt(cx * cx + cy * cy + cz * cz);
-    final boolean cutAway = !(cut >= SHORTEST);
+    final boolean same = nx == gx && ny == gy && nz == gz || nx / length == gx && ny / length == gy && nz / length == gz;
+    final boolean cutAway = same || !(cut >= SHORTEST);
     this.t = hit.t;
     this.x = hit.x;
     this.y = hit.y;

@@ -24,6 +24,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+
+import models.MeshData;
 import scenes.SceneFiles;
 import trials.Trials;
 
@@ -53,7 +55,7 @@ class ObjReaderTest {
   private int[] corners(final String text) {
     final ObjReader.Result reading = read(text);
     assertEquals(List.of(), reading.problems());
-    return reading.mesh().corners();
+    return reading.mesh().flat().corners();
   }
 
   private void assertProblems(final String text, final String... lines) {
@@ -68,8 +70,8 @@ class ObjReaderTest {
   @Test
   void verticesAndFacets() {
     final ObjReader.Result reading = read("v 1 -2.5 3e1\n v\t.5 5. +7 \nv 0 0 0\nf 1 2 3\n");
-    assertArrayEquals(new float[] {1, -2.5f, 30, 0.5f, 5, 7, 0, 0, 0}, reading.mesh().coordinates());
-    assertArrayEquals(new int[] {0, 1, 2}, reading.mesh().corners());
+    assertArrayEquals(new double[] {1, -2.5, 30, 0.5, 5, 7, 0, 0, 0}, reading.mesh().flat().coordinates());
+    assertArrayEquals(new int[] {0, 1, 2}, reading.mesh().flat().corners());
   }
 
   @Test
@@ -86,13 +88,14 @@ class ObjReaderTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"f 1 2 3", "f 1/4 2/5 3/6", "f 1//1 2//1 3//1", "f 1/2/3 2/3/4 3/4/5", "f -4 -3 -2", "f "
+  @ValueSource(strings = {"f 1 2 3", "f 1/4 2/5 3/1", "f 1//1 2//1 3//1", "f 1/2/3 2/3/4 3/4/5", "f -4 -3 -2", "f "
       + "-4/-1/-1 -3 -2//-1",
     "f 1 2 \\\n 3", "f \\\r\n1 2\\\n3", "f\t1\t2\t3  ", "f 1 2 3 # a triangle", "f 1 2 3#", "f +1 2 3", "f 1/ 2/ 3/"})
   void allFormsOfAFacet(final String facet) {
-    assertArrayEquals(new int[] {0, 1, 2}, corners(SQUARE + facet), facet);
-    assertArrayEquals(new int[] {0, 1, 2}, corners((SQUARE + facet).replace("\n", "\r\n").replace("\r\r\n", "\r\n")), facet);
-    assertArrayEquals(new int[] {0, 1, 2}, corners(SQUARE + facet + "\n\n"), facet);
+    final String square = SQUARE + "vt 0 0\n".repeat(5) + "vn 0 0 1\n".repeat(5);
+    assertArrayEquals(new int[] {0, 1, 2}, corners(square + facet), facet);
+    assertArrayEquals(new int[] {0, 1, 2}, corners((square + facet).replace("\n", "\r\n").replace("\r\r\n", "\r\n")), facet);
+    assertArrayEquals(new int[] {0, 1, 2}, corners(square + facet + "\n\n"), facet);
   }
 
   @Test
@@ -111,13 +114,13 @@ class ObjReaderTest {
   @Test
   void coloursOfVerticesAndOtherNumbersArePassedOver() {
     final ObjReader.Result reading = read("v 0 0 0 1 0.5 0\nv 1 0 0 1\nv 0 1 0 x y z\nf 1 2 3\n");
-    assertArrayEquals(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, reading.mesh().coordinates());
+    assertArrayEquals(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, reading.mesh().flat().coordinates());
   }
 
   @Test
   void marksAndEncodingsDoNoHarm() {
     final byte[] latin1 = ("# ñandú\n" + SQUARE + "f 1 2 3").getBytes(StandardCharsets.ISO_8859_1);
-    assertEquals(3, read(latin1).mesh().corners().length);
+    assertEquals(3, read(latin1).mesh().flat().corners().length);
     assertEquals(3, corners("\ufeff" + SQUARE + "f 1 2 3").length);
     assertEquals(3, corners((SQUARE + "f 1 2 3").replace('\n', '\r')).length);
     assertProblems((SQUARE + "f 1 2 x").replace('\n', '\r'), "5:7: not a corner of a facet: found `x`, expected i, "
@@ -163,14 +166,14 @@ class ObjReaderTest {
   void trianglesWithoutAreaAreDroppedWithOneWarning() {
     final ObjReader.Result reading = read(SQUARE + "v 2 0 0\nf 1 2 3\nf 1 1 2\nf 1 2 5\nf 1 3 4\n");
     assertProblems(reading, "7:1: warning: triangles without area that are left out: 2, the first in this line");
-    assertArrayEquals(new int[] {0, 1, 2, 0, 2, 3}, reading.mesh().corners());
+    assertArrayEquals(new int[] {0, 1, 2, 0, 2, 3}, reading.mesh().flat().corners());
     assertProblems(SQUARE + "f 1 2 2\n", "1:1: no facet is left: all 1 triangles are without area");
   }
 
   @Test
   void aFileWithoutFacetsIsNoMesh() {
     assertProblems("", "1:1: there is no facet: is this a Wavefront OBJ file?");
-    assertProblems(SQUARE, "1:1: there is no facet: is this a Wavefront OBJ file?");
+    assertProblems(SQUARE, "1:1: there is no facet (`f`), only 4 vertices: a mesh needs facets");
     final byte[] noise = new byte[100_000];
     new Random(7).nextBytes(noise);
     assertNull(read(noise).mesh());
@@ -179,11 +182,12 @@ class ObjReaderTest {
   @Test
   void wordsAcrossTheEdgesOfTheWindowAreWhole() {
     for (int padding = 65_400; padding < 65_600; padding++) {
-      final String text = "#" + "x".repeat(padding) + "\nv 1.25 2.25 3.25\nv 4 5 6\nv 7 8 10\nf 1/2/3 2 \\\n3\n";
+      final String text = "#" + "x".repeat(padding) + "\nv 1.25 2.25 3.25\nv 4 5 6\nv 7 8 10\nvt 0 0\nvn 0 0 1\n"
+          + "f 1/1/1 2 \\\n3\n";
       final ObjReader.Result reading = read(text);
       assertEquals(List.of(), reading.problems());
-      assertArrayEquals(new float[] {1.25f, 2.25f, 3.25f, 4, 5, 6, 7, 8, 10}, reading.mesh().coordinates());
-      assertArrayEquals(new int[] {0, 1, 2}, reading.mesh().corners());
+      assertArrayEquals(new double[] {1.25, 2.25, 3.25, 4, 5, 6, 7, 8, 10}, reading.mesh().flat().coordinates());
+      assertArrayEquals(new int[] {0, 1, 2}, reading.mesh().flat().corners());
     }
   }
 
@@ -203,7 +207,7 @@ class ObjReaderTest {
       if (reading.mesh() == null) {
         assertProblems(reading, "2:5: not a number: found `" + "0".repeat(37) + "...`, expected a coordinate such as 2.5");
       } else {
-        assertArrayEquals(new float[] {1, 1, 2, 1, 2, 3, 0, 0, 1}, reading.mesh().coordinates());
+        assertArrayEquals(new double[] {1, 1, 2, 1, 2, 3, 0, 0, 1}, reading.mesh().flat().coordinates());
       }
     }
   }
@@ -228,7 +232,7 @@ class ObjReaderTest {
           expected.append(a).append(' ').append(b).append(' ').append(c).append('\n');
         }
       }
-      final ObjReader.Mesh mesh = read(text.append("f 1 2 3").toString()).mesh();
+      final MeshData mesh = read(text.append("f 1 2 3").toString()).mesh().flat();
       assertEquals(sorted(expected.append("0 1 2\n").toString()), sorted(described(mesh)));
     });
   }
@@ -237,11 +241,11 @@ class ObjReaderTest {
     return new String[] {" ", "\t", "  ", " \\\n", " \\\r\n\t"}[random.nextInt(5)];
   }
 
-  private static String described(final ObjReader.Mesh mesh) {
+  private static String described(final MeshData mesh) {
     final StringBuilder text = new StringBuilder();
     for (int i = 0; i < mesh.coordinates().length; i += 3) {
-      text.append(mesh.coordinates()[i]).append(' ').append(mesh.coordinates()[i
-          + 1]).append(' ').append(mesh.coordinates()[i + 2]).append('\n');
+      text.append((float) mesh.coordinates()[i]).append(' ').append((float) mesh.coordinates()[i
+          + 1]).append(' ').append((float) mesh.coordinates()[i + 2]).append('\n');
     }
     for (int i = 0; i < mesh.corners().length; i += 3) {
       text.append(mesh.corners()[i]).append(' ').append(mesh.corners()[i + 1]).append(' ').append(mesh.corners()[i
@@ -270,7 +274,7 @@ class ObjReaderTest {
     final ObjReader.Result reading = read(zip("folder/", "", "folder/a.obj", SQUARE
         + "f 1 2 3 4\n", "__MACOSX/a.obj", "v x"));
     assertEquals(List.of(), reading.problems());
-    assertEquals(6, reading.mesh().corners().length);
+    assertEquals(6, reading.mesh().flat().corners().length);
     assertProblems(read(zip("folder/", "")), "1:1: the ZIP file is empty: expected an OBJ file as its first entry");
   }
 

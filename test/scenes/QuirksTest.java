@@ -189,10 +189,8 @@ class QuirksTest {
         + "looked for "
         + folder.resolve("no.png") + ", " + Path.of("scenes", "no.png"));
     files.write("wood.png", "");
-    assertProblems(files.readPlaced("<textureFile>wood.png</textureFile>"),
-        "34:14: warning: textures are not supported yet: the object shows its `color`");
-    assertProblems(files.readWith("<color>255 0 0</color>", "<textureFile>wood.png</textureFile>"),
-        "33:20: textures are not supported yet: expected a `color`");
+    assertProblems(files.readPlaced("<textureFile>wood.png</textureFile>"), "34:14: the texture file `wood.png` cannot be "
+        + "used: not a PNG, JPEG, GIF or BMP image, as its content shows");
   }
 
   @ParameterizedTest

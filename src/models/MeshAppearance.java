@@ -1,0 +1,53 @@
+package models;
+
+import java.awt.Color;
+import java.util.List;
+import java.util.SplittableRandom;
+
+/** What the triangles of a mesh look like: all the same, each by chance, or each as one of a list. */
+final class MeshAppearance {
+
+  private final List<Appearance> appearances;
+  /** For each triangle its appearance in the list; null: all have the first, or, if there is none, a random colour. */
+  private final int[] ofTriangle;
+
+  private MeshAppearance(final List<Appearance> appearances, final int[] ofTriangle) {
+    this.appearances = appearances;
+    this.ofTriangle = ofTriangle;
+  }
+
+  /** One for all; null: random colours. */
+  static MeshAppearance of(final Appearance appearance) {
+    return new MeshAppearance(appearance == null ? List.of() : List.of(appearance), null);
+  }
+
+  /** One of a list for each triangle of arrays, by the numbers that the triangles had before some were left out. */
+  static MeshAppearance of(final List<Appearance> appearances, final int[] given, final MeshArrays arrays) {
+    final int[] ofTriangle = new int[arrays.size()];
+    for (int i = 0; i < ofTriangle.length; i++) {
+      ofTriangle[i] = given[arrays.given(i)];
+    }
+    return new MeshAppearance(List.copyOf(appearances), ofTriangle);
+  }
+
+  /** The appearance of a triangle. The mixing of random colours is that of SplittableRandom's seed. */
+  Appearance of(final int facet) {
+    if (appearances.isEmpty()) {
+      return Appearance.of(new Color(new SplittableRandom(facet).nextInt(1 << 24)));
+    }
+    return appearances.get(ofTriangle == null ? 0 : ofTriangle[facet]);
+  }
+
+  int argb(final int facet) {
+    return of(facet).color().getRGB();
+  }
+
+  /** The one appearance of all triangles; null if they may differ. */
+  Appearance common() {
+    return appearances.size() == 1 ? appearances.get(0) : null;
+  }
+
+  boolean isTextured() {
+    return appearances.stream().anyMatch(appearance -> appearance.texture() != null);
+  }
+}
