@@ -45,8 +45,8 @@ class DirectionalTest implements LightContract {
     final Incidence incidence = new Incidence();
     assertTrue(BEAM.illuminate(P.x, P.y, P.z, incidence));
     assertEquals(4, incidence.distance());
-    assertEquals("Directional((1.0, 5.0, 2.0), lookAt=(1.0, 4.0, 2.0), radius=2.0, SpectrumRGB(0.25, 0.5, 0.25), power=100.0)",
-        BEAM.toString());
+    assertEquals("Directional((1.0, 5.0, 2.0), lookAt=(1.0, 4.0, 2.0), radius=2.0, SpectrumRGB(0.25, 0.5, 0.25), "
+        + "power=100.0)", BEAM.toString());
   }
 
   @Test

@@ -13,7 +13,7 @@ final class Flux {
   private Flux() {
   }
 
-  /** Power that leaves the sphere less power that enters it, in each channel; about no axis that a light is likely to have. */
+  /** Power that leaves the sphere less power that enters it, in each channel. */
   static double[] through(final Light light, final double radius) {
     final Point3D S = light.getPosition();
     final double[] flux = new double[3];

@@ -25,8 +25,8 @@ import trials.Trials;
  * }
  * }</pre>
  *
- * <p>A light whose field is much larger or smaller than the unit overrides {@link #size}; one that breaks the law of energy on
- * purpose, {@link #conservesEnergy}.
+ * <p>A light whose field is much larger or smaller than the unit overrides {@link #size}; one that breaks the law of energy
+ * on purpose, {@link #conservesEnergy}.
  */
 public interface LightContract {
 

@@ -87,12 +87,13 @@ class WrongLightsTest {
     final Point3D position = new Point3D(S), lookAt = new Point3D(AT);
     final Light spot = new Spot(position, lookAt, 30, WHITE, 1), beam = new Directional(position, lookAt, 2, WHITE, 1);
     final String before = spot + " " + beam;
-    final double E = spot.getIrradianceAt(new Point3D(1, 2, 9)).getR(), F = beam.getIrradianceAt(new Point3D(1, 2, 9)).getR();
+    final Point3D P = new Point3D(1, 2, 9);
+    final double E = spot.getIrradianceAt(P).getR(), F = beam.getIrradianceAt(P).getR();
     position.set(-7, -7, 50);
     lookAt.set(-8, 1, 60);
     assertEquals(before, spot + " " + beam);
-    assertEquals(E, spot.getIrradianceAt(new Point3D(1, 2, 9)).getR());
-    assertEquals(F, beam.getIrradianceAt(new Point3D(1, 2, 9)).getR());
+    assertEquals(E, spot.getIrradianceAt(P).getR());
+    assertEquals(F, beam.getIrradianceAt(P).getR());
     assertTrue(E > 0 && F > 0);
   }
 }

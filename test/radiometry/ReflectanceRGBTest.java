@@ -28,7 +28,7 @@ class ReflectanceRGBTest {
     assertFalse(new ReflectanceRGB(0, 0, Float.MIN_VALUE).isBlack());
   }
 
-  /** Values of the table in IEC 61966-2-1: 188 is a little over, 187 a little below half of white; 10 and 11 are at the knee. */
+  /** By IEC 61966-2-1: 188 is a little over half of white; 10 and 11 are on both sides of the knee. */
   @Test
   void coloursAreDecodedToLinear() {
     final ReflectanceRGB k = new ReflectanceRGB(new Color(255, 188, 0));
