@@ -16,14 +16,15 @@ final class Fresnel {
   }
 
   /**
-   * The cosine of the refracted ray's angle by Snell's law.
+   * The cosine of the refracted ray's angle by Snell's law, √(1 − r² (1 − c²)) in a form that is exact where both indices
+   * are equal.
    *
    * @param cosine cosine of the incident ray's angle, from 0 to 1
    * @param ratio index of refraction on its side, divided by that of the other
    * @return the cosine; NaN if there is none, that is, for total reflection
    */
   static double refractedCosine(final double cosine, final double ratio) {
-    return Math.sqrt(1 - ratio * ratio * (1 - cosine) * (1 + cosine));
+    return Math.sqrt(cosine * cosine + (1 - ratio) * (1 + ratio) * (1 - cosine) * (1 + cosine));
   }
 
   /**
@@ -36,7 +37,7 @@ final class Fresnel {
    * @return from 0 to 1; 1 for total reflection
    */
   static double reflectance(final double cosine, final double ratio, final double refractedCosine) {
-    if (!(refractedCosine >= 0)) {
+    if (!(refractedCosine > 0)) {
       return 1;
     }
     final double across = (ratio * cosine - refractedCosine) / (ratio * cosine + refractedCosine);

@@ -32,8 +32,8 @@ final class Albedo {
   }
 
   /**
-   * Of a reflecting lobe, however narrow: over the half vectors, in rings that grow exponentially about the normal. An area of
-   * half vectors is 1 / (4c) of that of directions.
+   * Of a reflecting lobe, however narrow: over the half vectors, in rings that grow exponentially about the normal. An area
+   * of half vectors is 1 / (4c) of that of directions.
    */
   static double[] ofLobe(final Material material, final double theta) {
     final SurfaceInteraction interaction = view(theta, true);

@@ -14,8 +14,8 @@ import radiometry.ReflectanceRGB;
 import trials.Trials;
 
 /**
- * The laws that every {@link BRDF} must obey, as tests. The test of a material implements this interface and so inherits them;
- * it has to write one method:
+ * The laws that every {@link BRDF} must obey, as tests. The test of a material implements this interface and so inherits
+ * them; it has to write one method:
  *
  * <pre>{@code
  * class PlasterTest implements BRDFContract {
@@ -25,7 +25,8 @@ import trials.Trials;
  * }
  * }</pre>
  *
- * <p>A material that breaks a law on purpose, as a drawing does, overrides {@link #isReciprocal} or {@link #conservesEnergy}.
+ * <p>A material that breaks a law on purpose, as a drawing does, overrides {@link #isReciprocal} or
+ * {@link #conservesEnergy}.
  */
 public interface BRDFContract {
 

@@ -68,7 +68,7 @@ class ToonTest implements BRDFContract {
   /** So flat that in floats, n·wi is 0: the promise that it is positive holds all the same, by leaving the light out. */
   @Test
   void lightAlongTheSurfaceIsLeftOut() {
-    final double[] n = Directions.unit(0.3, 0.5, 0.7), flat = Directions.unit(0.5, -0.3, 0), above = Directions.unit(0, 0, 1);
+    final double[] n = Directions.unit(0.3, 0.5, 0.7), flat = Directions.unit(0.5, -0.3, 0), above = {0, 0, 1};
     final double[] wi = Directions.unit(flat[0] + 1e-12 * n[0], flat[1] + 1e-12 * n[1], flat[2] + 1e-12 * n[2]);
     final double[] f = Directions.f(brdf(), wi, above, n, true);
     assertTrue(f[0] == 0 || f[0] > 1, () -> "f = " + f[0]);

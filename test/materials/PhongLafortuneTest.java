@@ -1,0 +1,43 @@
+package materials;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import org.junit.jupiter.api.Test;
+
+import radiometry.ReflectanceRGB;
+
+class PhongLafortuneTest implements BRDFContract {
+
+  @Override
+  public BRDF brdf() {
+    return new PhongLafortune(new ReflectanceRGB(0, 0.25f, 0.75f), new ReflectanceRGB(1, 0.5f, 0.25f), new Blinn(15));
+  }
+
+  /** Frontally, wi = wo = n: k_d/π + k_s D(0)/4 with D(0) = (q + 2) / 2π. */
+  @Test
+  void frontally() {
+    final double[] n = {0, 0, 1};
+    final double q = -Math.log(2) / Math.log(Math.cos(Math.toRadians(15))), peak = (q + 2) / (2 * Math.PI) / 4;
+    final double[] f = Directions.f(brdf(), n, n, n, true);
+    assertEquals(peak, f[0], 1e-9);
+    assertEquals(0.25 / Math.PI + 0.5 * peak, f[1], 1e-9);
+    assertEquals(0.75 / Math.PI + 0.25 * peak, f[2], 1e-9);
+  }
+
+  /** With Blinn's lobe and both angles equal, the highlight is (q + 2) / (8π cos² θ), θ the angle of both. */
+  @Test
+  void alongTheMirroredDirection() {
+    final double[] n = {0, 0, 1}, wi = Directions.polar(1, Math.PI), wo = Directions.polar(1, 0);
+    final double q = -Math.log(2) / Math.log(Math.cos(Math.toRadians(15)));
+    assertEquals((q + 2) / (8 * Math.PI * Math.cos(1) * Math.cos(1)), Directions.f(brdf(), wi, wo, n, true)[0], 1e-9);
+  }
+
+  @Test
+  void itsColourIsTheSumOfItsReflectances() {
+    assertEquals(new java.awt.Color(255, 191, 255), brdf().getColor());
+    assertEquals("PhongLafortune(ReflectanceRGB(0.0, 0.25, 0.75), ReflectanceRGB(1.0, 0.5, 0.25), Blinn(15.0))",
+        brdf().toString());
+    assertEquals("PhongLafortune(null, ReflectanceRGB(1.0, 0.5, 0.25), null)",
+        new PhongLafortune(null, new ReflectanceRGB(1, 0.5f, 0.25f), null).toString());
+  }
+}
