@@ -165,6 +165,16 @@ public class AffineTransformation extends Object3D {
   }
 
   @Override
+  void addContainer(final Group3D container) {
+    object.addContainer(container);
+  }
+
+  @Override
+  void refreshParts() {
+    object.refreshParts();
+  }
+
+  @Override
   public Color getColor() {
     return object.getColor();
   }

@@ -2,6 +2,7 @@ package models;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.Deque;
 import java.util.IdentityHashMap;
@@ -15,16 +16,19 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * The objects of a group as they were at some moment, groups within it opened up: those without an end first, the others in
- * the order of a tree of their boxes. Immutable, but for when it was last found to be up to date.
+ * The objects of a group as they were at some moment, groups within it opened up: those that are unbounded first, the others in
+ * the order of a tree of their boxes. Immutable.
  */
 final class FlatGroup {
 
   /** Objects to a leaf of the tree: to look at a box costs about as much as to ask a simple object. */
   private static final int LEAF = 2;
 
-  private final long size;
-  private volatile long additions;
+  /** Shapes that never change; of others the boxes are asked for before each picture. */
+  private static final Set<Class<?>> IMMUTABLE = Set.of(Box.class, Capsule.class, Cylinder.class, Egg.class,
+      Ellipsoid.class, Plane.class, Sphere.class, Torus.class, Triangle.class, TriangularMesh.class, TruncatedCone.class);
+
+  private final long additions;
 
   private final Object3D[] objects;
   private final BoundingBox[] boxes;
@@ -32,12 +36,14 @@ final class FlatGroup {
   /** The place of each object in the order of adding. */
   private final int[] order;
 
+  /** The places of objects that may change between two pictures. */
+  private final int[] changeable;
+
   private final int unbounded;
   private final Bvh tree;
   private final BoundingBox box;
 
-  private FlatGroup(final List<Object3D> all, final long size, final long additions) {
-    this.size = size;
+  private FlatGroup(final List<Object3D> all, final long additions) {
     this.additions = additions;
     final int n = all.size();
     final BoundingBox[] boxOf = new BoundingBox[n];
@@ -65,38 +71,65 @@ final class FlatGroup {
       objects[i] = all.get(order[i]);
       boxes[i] = boxOf[order[i]];
     }
+    this.changeable = changeable(objects);
   }
 
-  /** The members of a group, which are the ones known already if nothing in it has changed since. */
-  static FlatGroup of(final Group3D group, final FlatGroup known, final long additions) {
-    final long size = sizeOf(group);
-    if (known != null && known.size == size) {
-      known.additions = additions;
-      return known;
+  private static int[] changeable(final Object3D[] objects) {
+    int end = 0;
+    final int[] places = new int[objects.length];
+    for (int i = 0; i < objects.length; i++) {
+      if (canChange(objects[i])) {
+        places[end++] = i;
+      }
     }
-    return new FlatGroup(membersOf(group), size, additions);
+    return Arrays.copyOf(places, end);
   }
 
-  /** Whether nothing was added to any group since these members were last found to be up to date. */
-  boolean areOf(final long number) {
+  private static boolean canChange(final Object3D whole) {
+    if (IMMUTABLE.contains(whole.getClass())) {
+      return false;
+    }
+    final Set<Object3D> seen = Collections.newSetFromMap(new IdentityHashMap<>());
+    final Deque<Object3D> open = new ArrayDeque<>(List.of(whole));
+    while (!open.isEmpty()) {
+      final Object3D object = open.pop();
+      if (seen.add(object) && !IMMUTABLE.contains(object.getClass())) {
+        if (object.getClass() != AffineTransformation.class && object.getClass() != Group3D.class) {
+          return true;
+        }
+        object.parts().forEach(open::push);
+      }
+    }
+    return false;
+  }
+
+  static FlatGroup of(final Group3D group, final long additions) {
+    return new FlatGroup(membersOf(group), additions);
+  }
+
+  /** Whether these are the members after so many additions. */
+  boolean isOf(final long number) {
     return additions == number;
   }
 
-  /** Number of objects in all groups that are part of a group, itself included: it grows with whatever is added there. */
-  private static long sizeOf(final Group3D group) {
-    long size = 0;
-    final Set<Object3D> seen = Collections.newSetFromMap(new IdentityHashMap<>());
-    final Deque<Object3D> open = new ArrayDeque<>(List.of(group));
-    while (!open.isEmpty()) {
-      final Object3D whole = open.pop();
-      if (seen.add(whole)) {
-        for (final Object3D part : whole.parts()) {
-          size++;
-          open.push(part);
+  /** Whether the box of an object is no longer what it was, or cannot be had. */
+  boolean isOutdated() {
+    try {
+      for (final int i : changeable) {
+        objects[i].refreshParts();
+        if (!isSame(boxOf(objects[i]), boxes[i])) {
+          return true;
         }
       }
+      return false;
+    } catch (RuntimeException | StackOverflowError boxFails) {
+      return true;
     }
-    return size;
+  }
+
+  private static boolean isSame(final BoundingBox a, final BoundingBox b) {
+    return a.minX() == b.minX() && a.minY() == b.minY() && a.minZ() == b.minZ()
+        && a.maxX() == b.maxX() && a.maxY() == b.maxY() && a.maxZ() == b.maxZ();
   }
 
   /** The objects of a group and of the groups within it, in the order in which they would be asked, none twice. */

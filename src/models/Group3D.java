@@ -4,6 +4,7 @@ import static arguments.Arguments.notNull;
 import static arguments.Arguments.wrong;
 
 import java.awt.Color;
+import java.lang.ref.WeakReference;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -11,7 +12,6 @@ import java.util.Deque;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
-import java.util.concurrent.atomic.AtomicLong;
 
 import acceleration.RayTile;
 import primitives.BoundingBox;
@@ -23,21 +23,22 @@ import tracer.Ray;
  *
  * <p><img src="doc-files/Group3D.png" width="320" height="240" alt="A group of a sphere, a box, and a torus">
  *
- * <p>Its answer to a ray is the closest hit of its objects; of two at the same distance, that of the object added first.
+ * <p>Its hit by a ray is the closest hit of its objects; of two at the same distance, that of the object added first.
  * Instead of asking all of them it keeps a tree of their boxes ({@link acceleration.Bvh}), which is made at the
- * first question after an {@link #addObject} to it or to a group within it; the answers are the same. Groups within a group
- * are opened up for that. Safe for use by several threads: an object that is added while another thread asks belongs to
- * the group for the questions that begin after {@code addObject} has returned.
+ * first query after an {@link #addObject} to it or to a group within it; the hits are the same. Groups within a group
+ * are opened up for that. Safe for use by several threads: an object that is added while another thread queries the group
+ * belongs to it for the queries that begin after {@code addObject} has returned.
  */
 public class Group3D extends Object3D {
 
-  /** Number of objects added to any group so far: while it stands still, no tree is out of date. */
-  private static final AtomicLong ADDITIONS = new AtomicLong();
-
-  /** Objects are added one after the other, so that no two groups come to contain each other. */
+  /** The lock under which objects are added one after the other, so that no two groups come to contain each other. */
   private static final Object ADDING = new Object();
 
   private final List<Object3D> objects = new ArrayList<>();
+  /** The groups that it is within, directly or transformed. */
+  private final List<WeakReference<Group3D>> containers = new ArrayList<>();
+  /** How often an object was added to it or to a group within it: while it stands still, its tree is up to date. */
+  private volatile long additions;
   private volatile FlatGroup members;
   /** Whether it is within another object, and so can come to contain itself. */
   private volatile boolean isPart;
@@ -60,11 +61,35 @@ public class Group3D extends Object3D {
         throw wrong("cycle");
       }
       obj.markContained();
+      obj.addContainer(this);
       synchronized (objects) {
         objects.add(obj);
       }
-      ADDITIONS.incrementAndGet();
+      countAddition();
     }
+  }
+
+  private void countAddition() {
+    final Set<Group3D> seen = Collections.newSetFromMap(new IdentityHashMap<>());
+    final Deque<Group3D> open = new ArrayDeque<>(List.of(this));
+    while (!open.isEmpty()) {
+      final Group3D group = open.pop();
+      if (seen.add(group)) {
+        group.additions = group.additions + 1;
+        for (final WeakReference<Group3D> container : group.containers) {
+          final Group3D outer = container.get();
+          if (outer != null) {
+            open.push(outer);
+          }
+        }
+      }
+    }
+  }
+
+  @Override
+  void addContainer(final Group3D container) {
+    containers.removeIf(known -> known.get() == null);
+    containers.add(new WeakReference<>(container));
   }
 
   @Override
@@ -105,17 +130,38 @@ public class Group3D extends Object3D {
 
   private FlatGroup members() {
     final FlatGroup known = members;
-    final long additions = ADDITIONS.get();
-    if (known != null && known.areOf(additions)) {
-      return known;
+    return known != null && known.isOf(additions) ? known : built();
+  }
+
+  private synchronized FlatGroup built() {
+    FlatGroup known = members;
+    final long number = additions;
+    if (known == null || !known.isOf(number)) {
+      known = FlatGroup.of(this, number);
+      members = known;
     }
-    synchronized (this) {
-      members = FlatGroup.of(this, members, additions);
-      return members;
+    return known;
+  }
+
+  /**
+   * Takes note of user-written objects whose boxes have changed. A picture begins with it; who queries the group himself
+   * calls it after such a change.
+   */
+  public void refresh() {
+    final FlatGroup known = members;
+    if (known != null && known.isOutdated()) {
+      synchronized (this) {
+        members = members == known ? null : members;
+      }
     }
   }
 
-  /** Answers null: the objects have colours of their own. */
+  @Override
+  void refreshParts() {
+    refresh();
+  }
+
+  /** Null: the objects have colours of their own. */
   @Override
   public Color getColor() {
     return null;

@@ -25,7 +25,8 @@ import tracer.Ray;
  *     meet it there; a tangent ray may or may not touch;</li>
  * <li>the normal is of unit length and belongs to the surface: outward, never turned towards the ray;</li>
  * <li>if there is no such t the answer is {@link Hit#NOHIT}, as it always is for {@link Ray#NORAY};</li>
- * <li>the object is not changed, so that several threads can ask it at once.</li>
+ * <li>the object is not changed, so that several threads can query it at once. Between two pictures it may change, its box
+ *     too: a picture shows it as it is when its {@code synthesis} begins, and it must not change before that ends.</li>
  * </ul>
  *
  * <p>The shapes of this package answer faster by the three methods that only they see: {@link #distance}, a formula
@@ -224,7 +225,15 @@ public abstract class Object3D {
     return Double.isNaN(t) ? askFor(this, ray).distance() < tmax * FLOAT_LIMIT : t > 0 && t < tmax;
   }
 
-  /** Is told that the object has become part of another. */
+  /** Called when the object has become part of a group, directly or transformed. */
+  void addContainer(final Group3D container) {
+  }
+
+  /** Called before a picture: groups within this object take note of boxes that have changed. */
+  void refreshParts() {
+  }
+
+  /** Called when the object has become part of another. */
   void markContained() {
   }
 

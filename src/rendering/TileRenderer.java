@@ -62,6 +62,10 @@ public final class TileRenderer {
    * @return false if the rendering was stopped before its end
    */
   public boolean run(final ThreadFactory factory) {
+    scene.refresh();
+    if (rendering.shading() instanceof Illumination light) {
+      light.scene().refresh();
+    }
     if (rendering.pixelLoop()) {
       return new PixelLoop(scene, generator, rendering, background).run(pixels);
     }
