@@ -16,8 +16,8 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * The objects of a group as they were at some moment, groups within it opened up: those that are unbounded first, the others in
- * the order of a tree of their boxes. Immutable.
+ * The objects of a group as they were at some moment, groups within it opened up: those that are unbounded first, the
+ * others in the order of a tree of their boxes. Immutable.
  */
 final class FlatGroup {
 
