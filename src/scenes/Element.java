@@ -18,6 +18,7 @@ final class Element {
   private final List<Element> children = new ArrayList<>();
   private final StringBuilder text = new StringBuilder();
   private int textOffset;
+  private int leadingBlanks;
   private boolean oneRun = true;
   private int end;
 
@@ -64,15 +65,15 @@ final class Element {
     return text.toString();
   }
 
-  /** Place of the i-th character of its text; where the text is in pieces, that of its first piece. */
+  /** Place of the i-th character of its text; where the text is in pieces, that of its first one that is not blank. */
   int textOffset(final int i) {
-    return oneRun ? textOffset + i : textOffset;
+    return textOffset + (oneRun ? i : leadingBlanks);
   }
 
   /** Place of the first character of its text that is not blank; that of the element if there is none. */
   int valueOffset() {
     int i = 0;
-    while (i < text.length() && Character.isWhitespace(text.charAt(i))) {
+    while (i < text.length() && Blanks.isBlank(text.charAt(i))) {
       i++;
     }
     return i < text.length() ? textOffset(i) : offset;
@@ -80,22 +81,23 @@ final class Element {
 
   /** Adds a piece of text; a piece that is not as it stands in the file (an entity) breaks the run. */
   void addText(final CharSequence piece, final int pieceOffset, final boolean verbatim) {
-    final boolean first = isBlank();
+    final boolean first = blanks() == text.length();
     oneRun = verbatim && (first || oneRun && pieceOffset == textOffset + text.length());
     if (first) {
       text.setLength(0);
       textOffset = pieceOffset;
     }
     text.append(piece);
+    leadingBlanks = first ? blanks() : leadingBlanks;
   }
 
-  private boolean isBlank() {
-    for (int i = 0; i < text.length(); i++) {
-      if (!Character.isWhitespace(text.charAt(i))) {
-        return false;
-      }
+  /** Number of blanks at the start of the text. */
+  private int blanks() {
+    int i = 0;
+    while (i < text.length() && text.charAt(i) <= ' ') {
+      i++;
     }
-    return true;
+    return i;
   }
 
   void close(final int endOffset) {

@@ -3,27 +3,47 @@ package scenes;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 
 import arguments.Messages;
 import diagnostics.Problem;
 import diagnostics.Suggestion;
 
-/** The problems of one scene file and of its meshes, collected in any order and answered in that of the file. */
+/**
+ * The problems of one scene file and of its meshes, collected in any order and returned in that of the file. A warning that
+ * repeats is given a few times; the rest are counted.
+ */
 final class Problems {
 
-  /** More than that nobody reads; and of a file that is made of problems each would cost some time. */
+  /** Reporting stops here: nobody reads more, and in a file that is made of problems each would cost some time. */
   static final int MOST = 1000;
+
+  /** How many warnings of one kind are given. */
+  static final int LIKE_WARNINGS = 10;
+
+  /** Kinds of warnings whose first part is a piece of the file, and does not make another kind. */
+  private static final Set<String> OF_ONE_KIND = Set.of("strayText", "backslash");
 
   private record Placed(int offset, Problem problem) {
   }
 
+  /** Warnings of one kind: their number, and the first that was not given. */
+  private static final class Kind {
+    private int count;
+    private int offset;
+    private String message;
+  }
+
   private final SourceText source;
   private final List<Placed> found = new ArrayList<>();
+  private final Map<String, Kind> kinds = new HashMap<>();
   private int errors;
-  private int untold;
-  private int firstUntold;
+  private int omitted;
+  private int firstOmitted;
 
   Problems(final SourceText source) {
     this.source = source;
@@ -38,43 +58,55 @@ final class Problems {
   }
 
   void warning(final int offset, final String key, final Object... parts) {
-    add(offset, Problem.Severity.WARNING, key, parts);
+    if (isFull()) {
+      omit(offset);
+      return;
+    }
+    final Kind kind = kinds.computeIfAbsent(parts.length == 0 || OF_ONE_KIND.contains(key) ? key : key + ' ' + parts[0],
+        name -> new Kind());
+    kind.count++;
+    if (kind.count <= LIKE_WARNINGS) {
+      add(offset, Problem.Severity.WARNING, key, parts);
+    } else if (kind.count == LIKE_WARNINGS + 1) {
+      kind.offset = offset;
+      kind.message = Messages.text("scenes." + key, parts);
+    }
   }
 
   private void add(final int offset, final Problem.Severity severity, final String key, final Object... parts) {
     if (isFull()) {
-      count(offset, severity == Problem.Severity.ERROR);
+      errors += severity == Problem.Severity.ERROR ? 1 : 0;
+      omit(offset);
     } else {
       add(offset, at(offset, severity, Messages.text("scenes." + key, parts)));
     }
   }
 
-  /** Adds a problem, perhaps one of another file, that is to be told at a place of this file. */
+  /** Adds a problem, perhaps one of another file, that is to be reported at a place of this file. */
   void add(final int offset, final Problem problem) {
+    errors += problem.isError() ? 1 : 0;
     if (isFull()) {
-      count(offset, problem.isError());
+      omit(offset);
     } else {
       found.add(new Placed(offset, problem));
-      errors += problem.isError() ? 1 : 0;
     }
   }
 
-  private void count(final int offset, final boolean isError) {
-    firstUntold = untold == 0 ? offset : firstUntold;
-    untold++;
-    errors += isError ? 1 : 0;
+  private void omit(final int offset) {
+    firstOmitted = omitted == 0 ? offset : firstOmitted;
+    omitted++;
   }
 
   private Problem at(final int offset, final Problem.Severity severity, final String message) {
     return new Problem(source.file(), source.line(offset), source.column(offset), severity, message);
   }
 
-  /** Whether no more problems are told. */
+  /** Whether the limit is reached. */
   boolean isFull() {
     return found.size() >= MOST;
   }
 
-  /** The question whether one of the known names was meant, as long as problems are told. */
+  /** The question whether one of the known names was meant; empty if none is near, or if the limit is reached. */
   String didYouMean(final String name, final Collection<String> known) {
     return isFull() ? "" : Suggestion.question(name, known);
   }
@@ -87,13 +119,27 @@ final class Problems {
     return errors;
   }
 
-  /** The problems; those that are too many are told in one more, the last. */
+  /**
+   * The problems in the order of the file. Of the warnings that are only counted, there is one for each kind, at the place
+   * of the first of them; if the limit of all problems was exceeded, a last one gives the number left out.
+   */
   List<Problem> inFileOrder() {
-    final List<Problem> problems = found.stream().sorted(Comparator.comparingInt(Placed::offset)).map(Placed::problem)
+    final List<Placed> all = new ArrayList<>(found);
+    int left = omitted;
+    for (final Kind kind : kinds.values()) {
+      final int more = kind.count - LIKE_WARNINGS;
+      if (omitted > 0) {
+        left += Math.max(0, more);
+      } else if (more > 0) {
+        all.add(new Placed(kind.offset, at(kind.offset, Problem.Severity.WARNING,
+            Messages.text("scenes.moreLikeThis", kind.message, more))));
+      }
+    }
+    final List<Problem> problems = all.stream().sorted(Comparator.comparingInt(Placed::offset)).map(Placed::problem)
         .collect(Collectors.toList());
-    if (untold > 0) {
-      problems.add(at(firstUntold, hasErrors() ? Problem.Severity.ERROR : Problem.Severity.WARNING,
-          Messages.text("scenes.untold", untold)));
+    if (omitted > 0) {
+      problems.add(at(firstOmitted, hasErrors() ? Problem.Severity.ERROR : Problem.Severity.WARNING,
+          Messages.text("scenes.omitted", left)));
     }
     return problems;
   }

@@ -20,6 +20,9 @@ import view.Projection;
 /** Reads the element {@code image} of a scene file: section by section, in no order of theirs. */
 final class SceneBuilder {
 
+  /** Most pixels of a raster, as many as an array can hold. */
+  private static final int LARGEST = Integer.MAX_VALUE - 8;
+
   /** Stops of exposure. */
   private static final Range STOPS = new Range(-20, true, 20, true);
 
@@ -46,6 +49,9 @@ final class SceneBuilder {
     final int W = raster == null ? Values.NONE : values.integer(raster, "W", 1);
     final int H = raster == null ? Values.NONE : values.integer(raster, "H", 1);
     final Color background = raster == null ? null : new Colours(values).required(raster, "backgroundColor");
+    if ((long) W * H > LARGEST && W > 0 && H > 0) {
+      problems.error(raster.find("W").valueOffset(), "rasterTooLarge", W, H, LARGEST);
+    }
     rayTracer(section("rayTracer"));
     final Lighting lighting = lighting(section("engine"));
     final Camera camera = camera(W, H);

@@ -123,8 +123,8 @@ final class SceneGrammar {
     final boolean known = element == section;
     attributes(element, known);
     final Set<String> allowed = allowed(section);
-    if (!element.text().isBlank() && (known || !element.children().isEmpty())) {
-      problems.warning(element.valueOffset(), "strayText", Messages.quote(element.text()), section.name());
+    if (!element.text().trim().isEmpty() && (known || !element.children().isEmpty())) {
+      strayText(element, section);
     }
     for (final Element child : element.children()) {
       if (allowed.contains(child.name())) {
@@ -133,6 +133,16 @@ final class SceneGrammar {
         unknown(child, section, allowed);
         check(child, isSection(child.name()) ? child : section);
       }
+    }
+  }
+
+  private void strayText(final Element element, final Element section) {
+    final String text = element.text();
+    if (Blanks.stripped(text).isEmpty()) {
+      final int odd = Blanks.firstOdd(text);
+      problems.warning(element.textOffset(odd), "oddBlank", section.name(), Blanks.name(text.charAt(odd)));
+    } else {
+      problems.warning(element.valueOffset(), "strayText", Messages.quote(text), section.name());
     }
   }
 
@@ -181,7 +191,7 @@ final class SceneGrammar {
 
   private static String type(final Element section) {
     final Element.Attribute attribute = section.attribute("type");
-    return attribute == null ? null : attribute.value().strip();
+    return attribute == null ? null : Blanks.stripped(attribute.value());
   }
 
   private Set<String> allowed(final Element section) {

@@ -56,11 +56,7 @@ final class SyntaxDiagnosis {
 
   private XmlSyntaxException malformed(final int at) {
     return at == text.length() ? new XmlSyntaxException(at, "endsEarly")
-        : new XmlSyntaxException(at, "malformed", character(text, at), codePoint(text.codePointAt(at)));
-  }
-
-  private static String codePoint(final int character) {
-    return String.format("U+%04X", character);
+        : new XmlSyntaxException(at, "malformed", character(text, at));
   }
 
   private int afterBlanks(final int from) {
@@ -201,9 +197,10 @@ final class SyntaxDiagnosis {
         Math.min(from + 12, text.length()))));
   }
 
-  /** The character at a place, fit for a message. */
+  /** The character at a place, fit for a message: one that is not of ASCII is named, as it might not be seen. */
   static String character(final String text, final int at) {
-    return Messages.quote(at < text.length() ? Character.toString(text.codePointAt(at)) : "");
+    final int c = at < text.length() ? text.codePointAt(at) : ' ';
+    return Messages.quote(Character.toString(c)) + (c > '~' ? " (" + Blanks.name(c) + ")" : "");
   }
 
   static boolean isBlank(final char c) {

@@ -115,7 +115,7 @@ final class Values {
   }
 
   private float number(final Element value, final Range range) {
-    return number(new Token(value.text().strip(), value.valueOffset()), value.name(), range);
+    return number(new Token(text(value).strip(), value.valueOffset()), value.name(), range);
   }
 
   private float number(final Token token, final String name, final Range range) {
@@ -187,7 +187,7 @@ final class Values {
   }
 
   private int integer(final Element value, final int minimum) {
-    final String text = value.text().strip();
+    final String text = text(value).strip();
     final int start = afterSign(text, 0);
     final int digits = digits(text, start);
     final boolean sound = digits > 0 && start + digits == text.length();
@@ -214,7 +214,7 @@ final class Values {
   }
 
   private boolean bool(final Element value) {
-    final String text = value.text().strip();
+    final String text = text(value).strip();
     if (!text.equalsIgnoreCase("true") && !text.equalsIgnoreCase("false")) {
       problems.error(value.valueOffset(), "notBool", value.name(), Messages.quote(text), Expected.BOOL.text(value.name()));
     }
@@ -253,8 +253,8 @@ final class Values {
     return sound ? triple : null;
   }
 
-  private static List<Token> tokens(final Element value) {
-    final String text = value.text();
+  private List<Token> tokens(final Element value) {
+    final String text = text(value);
     final List<Token> tokens = new ArrayList<>(4);
     int i = 0;
     while (i < text.length()) {
@@ -276,9 +276,24 @@ final class Values {
     return found == null ? null : name(found);
   }
 
-  /** The text of a value, without the blanks about it; null, and told, if there is nothing else. */
+  /** The text of a number or truth value; what only looks like a blank counts as one, with a warning. */
+  private String text(final Element value) {
+    final String text = value.text();
+    final int odd = Blanks.firstOdd(text);
+    if (odd < 0) {
+      return text;
+    }
+    problems.warning(value.textOffset(odd), "oddBlank", value.name(), Blanks.name(text.charAt(odd)));
+    return Blanks.plain(text);
+  }
+
+  /** The text of a value, without the blanks about it; it is an error if there is nothing else, and null is returned. */
   String name(final Element value) {
-    final String text = value.text().strip();
+    final int odd = Blanks.firstOdd(value.text());
+    if (odd >= 0) {
+      problems.warning(value.textOffset(odd), "oddBlankInName", value.name(), Blanks.name(value.text().charAt(odd)));
+    }
+    final String text = Blanks.stripped(value.text());
     if (text.isEmpty()) {
       problems.error(value.offset(), "empty", value.name(), Expected.NAME.text(value.name()));
       return null;
@@ -289,7 +304,11 @@ final class Values {
   /** An attribute that must be there, without the blanks about it; null if it is not. */
   String attribute(final Element element, final String name) {
     final Element.Attribute attribute = element.attribute(name);
-    final String value = attribute == null ? "" : attribute.value().strip();
+    final String value = attribute == null ? "" : Blanks.stripped(attribute.value());
+    final int odd = attribute == null ? -1 : Blanks.firstOdd(attribute.value());
+    if (odd >= 0) {
+      problems.warning(attribute.offset(), "oddBlankInName", name, Blanks.name(attribute.value().charAt(odd)));
+    }
     if (value.isEmpty()) {
       problems.error(element.offset(), "missingAttribute", element.name(), name);
       return null;

@@ -77,11 +77,19 @@ final class ViewReader {
         return Float.isNaN(height + inverse) ? null : new Orthographic(height, inverse);
       case "angular":
         final float fov = values.number(projection, "fov", FISH_EYE);
-        return Float.isNaN(fov) ? null : new FishEye(fov);
+        return Float.isNaN(fov) ? null : fishEye(projection, fov, W, H);
       default:
         values.problems().error(projection.attribute("type").offset(), "projectionUnsupported", type);
         return null;
     }
+  }
+
+  /** The fish-eye of an angle; its window is square, so that a raster that is not is worth a warning. */
+  private Projection fishEye(final Element projection, final float fov, final int W, final int H) {
+    if (W > 0 && H > 0 && Math.abs((double) H / W - 1) > NOTICEABLE) {
+      values.problems().warning(projection.offset(), "aspectAngular", W + " x " + H);
+    }
+    return new FishEye(fov);
   }
 
   /** Width by height of the window, 1 unless given; a picture that will be squeezed is worth a warning. */
@@ -91,7 +99,7 @@ final class ViewReader {
       final boolean given = values.has(projection, "aspect");
       final int offset = given ? projection.find("aspect").valueOffset() : projection.offset();
       values.problems().warning(offset, given ? "aspectUnlike" : "aspectMissing", Float.toString(aspect),
-          W + " x " + H, Float.toString(Math.round(1000f * W / H) / 1000f));
+          W + " x " + H, Float.toString(Math.round(1000.0 * W / H) / 1000f));
     }
     return aspect;
   }

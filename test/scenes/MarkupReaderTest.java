@@ -84,7 +84,7 @@ class MarkupReaderTest {
     "<a>\u0001</a>|1:4: the character of code 1 (hexadecimal) must not occur in XML: is this a scene file?",
     "<a b='\u0002'/>|1:7: the character of code 2 (hexadecimal) must not occur in XML: is this a scene file?",
     "<a>b</a\u00b5>|1:5: found `</a\u00b5>`, expected `</a>`, which closes the element of line 1",
-    "<a>b<c\u00b5/></a>|1:7: this is not well-formed XML: `\u00b5` (U+00B5) is out of place here",
+    "<a>b<c\u00b5/></a>|1:7: this is not well-formed XML: `\u00b5` (U+00B5 MICRO SIGN) is out of place here",
     "<?xml versio='1.0'?><a/>|1:1: the XML declaration is malformed: expected `<?xml version=\"1.0\" encoding=\"UTF-8\"?>`",
     "<!-- --><?xml version='1.0'?><a/>|1:9: the XML declaration `<?xml ...?>` must be the very first thing in the file, "
         + "without anything before it"})

@@ -149,6 +149,15 @@ class QuirksTest {
   }
 
   @Test
+  void q6TheWindowOfTheFishEyeIsSquare() {
+    final String angular = "<projection type=\"angular\">\n    <fov>90</fov>";
+    final String perspective = "<projection type=\"perspective\">\n    <fov>60</fov>\n    <aspect>1.3333</aspect>";
+    assertProblems(files.readWith(perspective, angular), "21:3: warning: the window of an angular projection is square, but "
+        + "the raster has 40 x 30 pixels: the picture will be stretched");
+    assertProblems(files.read(SceneFiles.with(perspective, angular).replace("<W>40", "<W>30")));
+  }
+
+  @Test
   void q7AimingTakesTheAxesOfTheModelAlongTheVectors() {
     final ReadResult box = files.read(SceneFiles.with("type=\"sphere\"", "type=\"box\"").replace("<radius>1</radius>",
         "<width>4</width><height>1</height><depth>1</depth>").replace("</color>",

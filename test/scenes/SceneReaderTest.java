@@ -113,8 +113,8 @@ class SceneReaderTest {
 
   /** Each of these texts, some hundred thousand times in a file, took minutes to be read. */
   @ParameterizedTest
-  @ValueSource(strings = {"<object><x/></object>", "<!-- <W> --><raster/>", "ñ<x/>",
-    "<object><modelId>bal</modelId></object>", "<model id='ID' type='sphere'/><object><modelId>ID0</modelId></object>"})
+  @ValueSource(strings = {"<object><x/></object>", "<object><modelId>bal</modelId></object>",
+    "<model id='ID' type='sphere'/><object><modelId>ID0</modelId></object>"})
   void filesMadeOfProblemsAreReadSoon(final String text) {
     final StringBuilder many = new StringBuilder("<image><models/><scene>");
     for (int i = 0; i < 100_000; i++) {
@@ -125,7 +125,7 @@ class SceneReaderTest {
     assertTrue(reading.scene().isEmpty());
     assertEquals(Problems.MOST + 1, reading.problems().size());
     final Problem last = reading.problems().get(Problems.MOST);
-    assertTrue(last.isError() && last.message().startsWith("further problems that are not told: "),
+    assertTrue(last.isError() && last.message().startsWith("further problems that are not shown: "),
         last::toString);
   }
 
@@ -144,12 +144,75 @@ class SceneReaderTest {
     assertTrue(message.endsWith("me sh .obj") && message.lines().count() == 1, message);
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"<!-- <W> --><raster/>", "ñ<x/>"})
+  void filesMadeOfWarningsAreReadSoon(final String text) {
+    final ReadResult reading = assertTimeoutPreemptively(Duration.ofSeconds(20), () -> files.read("<image><models/><scene>"
+        + text.repeat(100_000) + "</scene></image>"));
+    assertTrue(reading.problems().size() < 40, reading.problems().toString());
+  }
+
   @Test
   void warningsAreNoErrorsHoweverMany() {
-    final ReadResult reading = files.readWith("<raster>", "<x/>".repeat(2 * Problems.MOST) + "<raster>");
+    final StringBuilder many = new StringBuilder();
+    for (int i = 0; i < 2 * Problems.MOST; i++) {
+      many.append("<x").append(i).append("/>");
+    }
+    final ReadResult reading = files.readWith("<raster>", many + "<raster>");
     assertTrue(reading.scene().isPresent());
-    assertEquals("3:4003: warning: further problems that are not told: " + Problems.MOST,
-        reading.problems().get(Problems.MOST).toString().replaceFirst("^[^:]*:", ""));
+    assertEquals("warning: further problems that are not shown: " + Problems.MOST,
+        reading.problems().get(Problems.MOST).toString().replaceFirst("^[^:]*:3:\\d+: ", ""));
+  }
+
+  @Test
+  void aWarningThatRepeatsIsShownTenTimesAndThenCounted() {
+    final String line = "<object><modelId>ball</modelId><color>1 120 40</color></object>\n";
+    final ReadResult reading = files.readWith("<scene>", "<scene>\n" + line.repeat(5_000) + "<x/>".repeat(11)
+        + "<y/>".repeat(10) + "<W>0</W>");
+    final List<String> lines = SceneFiles.lines(reading);
+    final String mixed = "warning: `color` mixes the ranges 0-1 and 0-255: `1 120 40` is taken as 0-255";
+    assertEquals(11 + 11 + 10 + 1, lines.size(), lines.toString());
+    assertEquals("31:39: " + mixed, lines.get(0));
+    assertEquals("40:39: " + mixed, lines.get(9));
+    assertEquals("41:39: warning: 4990 more like this, the first of them here: " + mixed.substring("warning: ".length()),
+        lines.get(10));
+    assertEquals("5031:41: warning: 1 more like this, the first of them here: unknown element `x` in `scene`.",
+        lines.get(21));
+    assertEquals("5031:81: warning: unknown element `y` in `scene`.", lines.get(31));
+    assertTrue(lines.get(32).contains("`W` is out of place"), lines.get(32));
+    assertTrue(reading.scene().isPresent());
+  }
+
+  @Test
+  void aRepeatedWarningIsCountedInSpanish() {
+    SceneFiles.in(new Locale("es", "ES"), () -> assertEquals(
+        "3:43: aviso: 3 más como este, el primero aquí: elemento desconocido `x` en `image`.",
+        SceneFiles.lines(files.readWith("<raster>", "<x/>".repeat(13) + "<raster>")).get(10)));
+  }
+
+  @Test
+  void aRasterThatNoArrayHoldsIsAnErrorOfTheFile() {
+    assertProblems(files.readWith("<W>40</W>", "<W>2147483647</W>"),
+        "4:8: a raster of 2147483647 x 30 pixels is too large: expected at most 2147483639 pixels",
+        "23:13: warning: `aspect` is 1.3333 but the raster of 2147483647 x 30 pixels has 7.1582784E7: the picture will be "
+            + "stretched");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"00a0, NO-BREAK SPACE", "2009, THIN SPACE", "3000, IDEOGRAPHIC SPACE", "200b, ZERO WIDTH SPACE",
+    "feff, ZERO WIDTH NO-BREAK SPACE", "202f, NARROW NO-BREAK SPACE", "2028, LINE SEPARATOR", "85, NEXT LINE (NEL)"})
+  void whatOnlyLooksLikeABlankIsNamedWhereItStands(final String code, final String name) {
+    final String odd = Character.toString(Integer.parseInt(code, 16));
+    final String named = "holds the character U+" + ("0000" + code.toUpperCase(Locale.ROOT)).substring(code.length())
+        + " " + name + ", which only looks like a blank";
+    assertProblems(files.readWith("<position>0 0 5", "<position>0" + odd + "0" + odd + "5"),
+        "17:16: warning: `position` " + named + "; read as one");
+    assertProblems(files.readWith("<W>40", "<W>" + odd + "40" + odd), "4:8: warning: `W` " + named + "; read as one");
+    assertProblems(files.readWith("<modelId>ball", "<modelId>ball" + odd), "32:20: warning: `modelId` " + named);
+    assertProblems(files.readWith("id=\"ball\"", "id=\"" + odd + "ball\""), "26:12: warning: `id` " + named);
+    assertProblems(files.readWith("  <raster>", odd + "<raster>"), "3:1: warning: `image` " + named + "; read as one");
+    final String tag = SceneFiles.lines(files.readWith("<model id", "<model" + odd + "id")).get(0);
+    assertTrue(tag.startsWith("26:11: in the tag `<model` found ") && tag.contains(name), tag);
   }
 
   @Test
