@@ -49,12 +49,13 @@ final class SceneBuilder {
     final int W = raster == null ? Values.NONE : values.integer(raster, "W", 1);
     final int H = raster == null ? Values.NONE : values.integer(raster, "H", 1);
     final Color background = raster == null ? null : new Colours(values).required(raster, "backgroundColor");
-    if ((long) W * H > LARGEST && W > 0 && H > 0) {
+    final boolean tooLarge = W > 0 && H > 0 && (long) W * H > LARGEST;
+    if (tooLarge) {
       problems.error(raster.find("W").valueOffset(), "rasterTooLarge", W, H, LARGEST);
     }
     rayTracer(section("rayTracer"));
     final Lighting lighting = lighting(section("engine"));
-    final Camera camera = camera(W, H);
+    final Camera camera = tooLarge ? camera(Values.NONE, Values.NONE) : camera(W, H);
     final Group3D objects = objects(lighting.on());
     final Element.Attribute name = image.attribute("name");
     return problems.hasErrors() ? null : new SceneFile(name == null ? "" : name.value(), W, H, background, lighting, camera,
