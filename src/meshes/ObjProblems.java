@@ -1,10 +1,12 @@
 package meshes;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
 import arguments.Messages;
 import diagnostics.Problem;
+import diagnostics.SimilarFile;
 import diagnostics.UnusualBlank;
 
 /** The problems of a mesh file, in the order in which they are found. */
@@ -49,6 +51,12 @@ final class ObjProblems {
 
   void warning(final int line, final String key, final Object... parts) {
     add(new Problem(file, line, 1, Problem.Severity.WARNING, message(key, parts)));
+  }
+
+  /** The file is not there. */
+  void missing(final Path path) {
+    add(new Problem(file, 0, 0, Problem.Severity.ERROR,
+        message("fileMissing") + SimilarFile.question(path, ".obj", ".zip")));
   }
 
   /** An error of the file as a whole. */

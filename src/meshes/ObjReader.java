@@ -4,6 +4,7 @@ import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Matcher;
@@ -83,6 +84,8 @@ public final class ObjReader {
       readFrom(in);
     } catch (final ByteReader.TooLongException tooLong) {
       problems.whole("zipTooLong", ZippedMesh.LARGEST >> 30);
+    } catch (final NoSuchFileException missing) {
+      problems.missing(file);
     } catch (final IOException failure) {
       problems.whole("unreadable", failure.getClass().getSimpleName() + ": " + failure.getMessage());
     }

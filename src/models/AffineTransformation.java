@@ -10,6 +10,7 @@ import java.util.List;
 
 import javax.vecmath.AxisAngle4d;
 import javax.vecmath.Matrix3d;
+import javax.vecmath.Vector3d;
 import javax.vecmath.Vector3f;
 
 import acceleration.RayTile;
@@ -46,7 +47,7 @@ public class AffineTransformation extends Object3D {
   private final double shiftX;
   private final double shiftY;
   private final double shiftZ;
-  /** The greatest sum of the absolute numbers in a row of the inverse. */
+  /** That of the inverse, see {@link #norm(Matrix3d)}. */
   private final double norm;
 
   /**
@@ -71,9 +72,7 @@ public class AffineTransformation extends Object3D {
     this.toScene = product(rotation, factors(s));
     rotation.transpose();
     this.toObject = product(new Matrix3d(1.0 / s.x, 0, 0, 0, 1.0 / s.y, 0, 0, 0, 1.0 / s.z), rotation);
-    this.norm = Math.max(Math.abs(toObject.m00) + Math.abs(toObject.m01) + Math.abs(toObject.m02),
-        Math.max(Math.abs(toObject.m10) + Math.abs(toObject.m11) + Math.abs(toObject.m12),
-        Math.abs(toObject.m20) + Math.abs(toObject.m21) + Math.abs(toObject.m22)));
+    this.norm = norm(toObject);
     this.scale = new Vector3f(s);
     this.axis = new Vector3f(axis);
   }
@@ -137,6 +136,44 @@ public class AffineTransformation extends Object3D {
    */
   public AffineTransformation(final Vector3f s, final Object3D object) {
     this(s, NO_AXIS, 0, NO_SHIFT, object);
+  }
+
+  /** M = R·S and d in double precision. */
+  private AffineTransformation(final Vector3d s, final Matrix3d rotation, final Vector3d d, final Object3D object) {
+    super();
+    this.object = notNull("object", object);
+    object.markContained();
+    this.shiftX = notNull("d", d).x;
+    this.shiftY = d.y;
+    this.shiftZ = d.z;
+    this.theta = Float.NaN;
+    final Matrix3d inverse = new Matrix3d(notNull("rotation", rotation));
+    inverse.transpose();
+    this.toScene = product(rotation, new Matrix3d(notNull("s", s).x, 0, 0, 0, s.y, 0, 0, 0, s.z));
+    this.toObject = product(new Matrix3d(1 / s.x, 0, 0, 0, 1 / s.y, 0, 0, 0, 1 / s.z), inverse);
+    this.norm = norm(toObject);
+    this.scale = new Vector3f(s);
+    this.axis = new Vector3f();
+  }
+
+  /**
+   * Scale, rotation and translation in double precision, for coordinates that floats do not hold.
+   *
+   * @param s factors of scale along x, y and z, none of them 0
+   * @param rotation matrix of a rotation
+   * @param d translation in scene units
+   * @param object object to act on
+   * @return the transformed object
+   * @throws IllegalArgumentException if an argument is null
+   */
+  public static AffineTransformation of(final Vector3d s, final Matrix3d rotation, final Vector3d d, final Object3D object) {
+    return new AffineTransformation(s, rotation, d, object);
+  }
+
+  /** The greatest sum of the absolute numbers in a row. */
+  private static double norm(final Matrix3d m) {
+    return Math.max(Math.abs(m.m00) + Math.abs(m.m01) + Math.abs(m.m02),
+        Math.max(Math.abs(m.m10) + Math.abs(m.m11) + Math.abs(m.m12), Math.abs(m.m20) + Math.abs(m.m21) + Math.abs(m.m22)));
   }
 
   private static Matrix3d rotation(final Vector3f axis, final float theta) {
@@ -385,7 +422,7 @@ public class AffineTransformation extends Object3D {
 
   @Override
   public List<Object> constructorArguments() {
-    return List.of(new Vector3f(scale), new Vector3f(axis), theta,
+    return Float.isNaN(theta) ? List.of() : List.of(new Vector3f(scale), new Vector3f(axis), theta,
         new Vector3f((float) shiftX, (float) shiftY, (float) shiftZ), object);
   }
 

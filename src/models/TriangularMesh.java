@@ -11,10 +11,14 @@ import java.util.Objects;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 
+import javax.vecmath.TexCoord2f;
+
 import acceleration.RayTile;
 import materials.Material;
+import materials.Texture;
 import primitives.BoundingBox;
 import primitives.Point3D;
+import primitives.Vector3D;
 import tracer.Hit;
 import tracer.Ray;
 
@@ -26,18 +30,12 @@ import tracer.Ray;
  * <p>A mesh is kept as arrays, three floats for each vertex and three vertex numbers for each triangle, with a tree of the
  * triangles' boxes ({@link acceleration.Bvh}); a {@link Triangle} object is made when one is asked for or hit. A closed
  * mesh has no cracks: no ray passes between two triangles that share an edge or a vertex. Facets without area are left out.
- * Each triangle is met as {@link Triangle} says.
+ * Each triangle is hit as
+ * {@link Triangle} says.
  */
 public class TriangularMesh extends Object3D {
 
-  /** Interpolated normals shorter than this have no direction left: the triangle's own counts. */
-  private static final double SHORTEST = 1e-6;
-
-  private final MeshTree tree;
-  /** What shades the corners; null for a flat mesh. */
-  private final CornerNormals normals;
-  /** Null for a mesh without texture coordinates. */
-  private final CornerTexCoords texCoords;
+  private final MeshSurface surface;
   private final MeshAppearance appearance;
   private final AtomicReference<AtomicReferenceArray<Triangle>> made = new AtomicReference<>();
 
@@ -68,28 +66,110 @@ public class TriangularMesh extends Object3D {
     this(FacetParser.arrays(vertices, facetas), null);
   }
 
+  /**
+   * A flat mesh of a material.
+   *
+   * @param vertices the vertices, by indices of any value
+   * @param facetas the facets, as in {@link #TriangularMesh(Map, List, Color)}
+   * @param material material of all triangles
+   * @throws IllegalArgumentException as {@link #TriangularMesh(Map, List, Color)} does
+   */
+  public TriangularMesh(final Map<Integer, Point3D> vertices, final List<String> facetas, final Material material) {
+    this(FacetParser.arrays(vertices, facetas), Appearance.of(material));
+  }
+
+  /**
+   * A smooth mesh of one colour: its normals are interpolated between those of the corners.
+   *
+   * @param vertices the vertices, by indices of any value
+   * @param normals normals, of any length but 0, by indices of any value; perhaps none at all
+   * @param facetas the facets: each three corners, counter-clockwise, separated by blanks or commas; a corner is {@code v}
+   *     or {@code v//n} or {@code v/t/n}, indices of a vertex and of its normal (t is ignored). Without n it has the average
+   * of
+   *     the triangles around its vertex, weighted by their areas
+   * @param color colour of all triangles
+   * @throws IllegalArgumentException if an argument or an element of it is null, if a vertex or a normal is not finite, if a
+   *     normal is zero, if a facet is not three corners of indices of the maps, or if no facet has an area
+   */
+  public TriangularMesh(final Map<Integer, Point3D> vertices, final Map<Integer, Vector3D> normals,
+      final List<String> facetas, final Color color) {
+    this(FacetParser.smooth(vertices, normals, null, facetas), Appearance.of(color));
+  }
+
+  /**
+   * A smooth mesh of a material.
+   *
+   * @param vertices the vertices
+   * @param normals normals
+   * @param facetas the facets, as in {@link #TriangularMesh(Map, Map, List, Color)}
+   * @param material material of all triangles
+   * @throws IllegalArgumentException as {@link #TriangularMesh(Map, Map, List, Color)} does
+   */
+  public TriangularMesh(final Map<Integer, Point3D> vertices, final Map<Integer, Vector3D> normals,
+      final List<String> facetas, final Material material) {
+    this(FacetParser.smooth(vertices, normals, null, facetas), Appearance.of(material));
+  }
+
+  /**
+   * A smooth mesh with a texture.
+   *
+   * @param vertices the vertices
+   * @param normals normals, as in {@link #TriangularMesh(Map, Map, List, Color)}
+   * @param uv texture coordinates, by indices of any value
+   * @param facetas the facets: each three corners {@code v/t} or {@code v/t/n}, where t is the index of texture coordinates
+   * @param texture the texture
+   * @throws IllegalArgumentException as {@link #TriangularMesh(Map, Map, List, Color)} does, if a texture coordinate is not
+   *     finite, or if a corner has none
+   */
+  public TriangularMesh(final Map<Integer, Point3D> vertices, final Map<Integer, Vector3D> normals,
+      final Map<Integer, TexCoord2f> uv, final List<String> facetas, final Texture texture) {
+    this(FacetParser.textured(vertices, normals, notNull("uv", uv), facetas), Appearance.of(texture));
+  }
+
+  /**
+   * A smooth mesh of one colour whose hits have texture coordinates, where all three corners have them: for a pattern of
+   * one's own.
+   *
+   * @param vertices the vertices
+   * @param normals normals, as in {@link #TriangularMesh(Map, Map, List, Color)}
+   * @param uv texture coordinates, by indices of any value
+   * @param facetas the facets: each three corners {@code v}, {@code v/t}, {@code v//n} or {@code v/t/n}
+   * @param color colour of all triangles
+   * @throws IllegalArgumentException as {@link #TriangularMesh(Map, Map, List, Color)} does, and if a texture coordinate is
+   *     not finite
+   */
+  public TriangularMesh(final Map<Integer, Point3D> vertices, final Map<Integer, Vector3D> normals,
+      final Map<Integer, TexCoord2f> uv, final List<String> facetas, final Color color) {
+    this(FacetParser.smooth(vertices, normals, notNull("uv", uv), facetas), Appearance.of(color));
+  }
+
+  /**
+   * A smooth mesh of a material whose hits have texture coordinates, where all three corners have them.
+   *
+   * @param vertices the vertices
+   * @param normals normals, as in {@link #TriangularMesh(Map, Map, List, Color)}
+   * @param uv texture coordinates, by indices of any value
+   * @param facetas the facets: each three corners {@code v}, {@code v/t}, {@code v//n} or {@code v/t/n}
+   * @param material material of all triangles
+   * @throws IllegalArgumentException as {@link #TriangularMesh(Map, Map, Map, List, Color)} does
+   */
+  public TriangularMesh(final Map<Integer, Point3D> vertices, final Map<Integer, Vector3D> normals,
+      final Map<Integer, TexCoord2f> uv, final List<String> facetas, final Material material) {
+    this(FacetParser.smooth(vertices, normals, notNull("uv", uv), facetas), Appearance.of(material));
+  }
+
   /** A flat mesh; null: random colours. */
   private TriangularMesh(final MeshArrays arrays, final Appearance appearance) {
-    super();
-    this.tree = new MeshTree(arrays);
-    this.normals = null;
-    this.texCoords = null;
-    this.appearance = MeshAppearance.of(appearance);
+    this(new MeshSurface(arrays), MeshAppearance.of(appearance));
   }
 
-  private TriangularMesh(final MeshData data, final MeshArrays arrays, final MeshAppearance appearance) {
-    super();
-    this.tree = new MeshTree(arrays);
-    this.normals = data.normals() == null ? null : new CornerNormals(data, arrays);
-    this.texCoords = data.texCoords() == null ? null : new CornerTexCoords(data, arrays);
-    this.appearance = appearance;
+  private TriangularMesh(final MeshData data, final Appearance appearance) {
+    this(new MeshSurface(data, MeshArrays.rounded(data)), MeshAppearance.of(appearance));
   }
 
-  private TriangularMesh(final TriangularMesh mesh, final MeshAppearance appearance) {
+  private TriangularMesh(final MeshSurface surface, final MeshAppearance appearance) {
     super();
-    this.tree = mesh.tree;
-    this.normals = mesh.normals;
-    this.texCoords = mesh.texCoords;
+    this.surface = surface;
     this.appearance = appearance;
   }
 
@@ -120,8 +200,7 @@ public class TriangularMesh extends Object3D {
    *     is not finite as a float, if a corner names no vertex, or if no triangle has an area
    */
   public static TriangularMesh of(final MeshData data, final Appearance appearance) {
-    return new TriangularMesh(notNull("data", data), MeshArrays.rounded(data),
-        MeshAppearance.of(notNull("appearance", appearance)));
+    return new TriangularMesh(notNull("data", data), notNull("appearance", appearance));
   }
 
   /**
@@ -139,7 +218,7 @@ public class TriangularMesh extends Object3D {
       index("ofTriangle[" + i + "]", notNull("appearances", appearances).size(), ofTriangle[i]);
     }
     final MeshArrays arrays = MeshArrays.rounded(data);
-    return new TriangularMesh(data, arrays, MeshAppearance.of(appearances, ofTriangle, arrays));
+    return new TriangularMesh(new MeshSurface(data, arrays), MeshAppearance.of(appearances, ofTriangle, arrays));
   }
 
   /**
@@ -150,16 +229,7 @@ public class TriangularMesh extends Object3D {
    * @throws IllegalArgumentException if the appearance is null
    */
   public TriangularMesh with(final Appearance other) {
-    return new TriangularMesh(this, MeshAppearance.of(notNull("other", other)));
-  }
-
-  /**
-   * Whether triangles have texture coordinates.
-   *
-   * @return true if at least one may have them
-   */
-  public boolean hasTexCoords() {
-    return texCoords != null;
+    return new TriangularMesh(surface, MeshAppearance.of(notNull("other", other)));
   }
 
   /**
@@ -190,7 +260,7 @@ public class TriangularMesh extends Object3D {
 
   @Override
   public Hit intersectionWith(final Ray ray) {
-    final MeshRay query = new MeshRay(notNull("ray", ray), tree);
+    final MeshRay query = new MeshRay(notNull("ray", ray), surface.tree());
     return query.hits() ? hitAt(ray, query.distance(), query.facet()) : Hit.NOHIT;
   }
 
@@ -200,33 +270,17 @@ public class TriangularMesh extends Object3D {
     final Triangle triangle = triangle(part);
     final double distance = triangle.distance(ray.startX(), ray.startY(), ray.startZ(),
         ray.directionX(), ray.directionY(), ray.directionZ());
-    final Hit flat = triangle.hitAt(ray, distance, 0);
-    return normals == null && texCoords == null || !flat.hits() ? flat
-        : shaded(flat, part, triangle.weights(ray, distance));
-  }
-
-  private Hit shaded(final Hit flat, final int facet, final Weights weights) {
-    final double gx = flat.geometricX(), gy = flat.geometricY(), gz = flat.geometricZ();
-    double x = gx, y = gy, z = gz;
-    if (normals != null) {
-      x = normals.component(facet, 0, weights, gx);
-      y = normals.component(facet, 1, weights, gy);
-      z = normals.component(facet, 2, weights, gz);
-    }
-    final boolean hasDirection = x * x + y * y + z * z > SHORTEST * SHORTEST;
-    return flat.withShading(hasDirection ? x : gx, hasDirection ? y : gy, hasDirection ? z : gz,
-        texCoords == null ? Double.NaN : texCoords.coordinate(facet, 0, weights),
-        texCoords == null ? Double.NaN : texCoords.coordinate(facet, 1, weights));
+    return surface.shaded(triangle.hitAt(ray, distance, 0), part, ray, distance);
   }
 
   @Override
   boolean intersectsBefore(final Ray ray, final double tmax) {
-    return MeshRay.hitsBefore(ray, tmax, tree);
+    return MeshRay.hitsBefore(ray, tmax, surface.tree());
   }
 
   @Override
   int cost(final Ray ray) {
-    return MeshRay.cost(ray, tree);
+    return MeshRay.cost(ray, surface.tree());
   }
 
   @Override
@@ -236,7 +290,7 @@ public class TriangularMesh extends Object3D {
 
   @Override
   void closestHits(final RayTile rays, final TileHits hits) {
-    new MeshTile(rays, hits, this, tree).findHits();
+    new MeshTile(rays, hits, this, surface.tree()).findHits();
   }
 
   @Override
@@ -246,7 +300,7 @@ public class TriangularMesh extends Object3D {
 
   @Override
   public BoundingBox getBoundingBox() {
-    return tree.box();
+    return surface.tree().box();
   }
 
   /**
@@ -264,7 +318,7 @@ public class TriangularMesh extends Object3D {
 
       @Override
       public int size() {
-        return tree.size();
+        return surface.tree().size();
       }
     };
   }
@@ -273,25 +327,25 @@ public class TriangularMesh extends Object3D {
   private Triangle triangle(final int facet) {
     AtomicReferenceArray<Triangle> triangles = made.get();
     if (triangles == null) {
-      made.compareAndSet(null, new AtomicReferenceArray<>(tree.size()));
+      made.compareAndSet(null, new AtomicReferenceArray<>(surface.tree().size()));
       triangles = made.get();
     }
     final Triangle known = triangles.get(facet);
     if (known != null) {
       return known;
     }
-    triangles.compareAndSet(facet, null, tree.triangle(facet, appearanceOf(facet)));
+    triangles.compareAndSet(facet, null, surface.tree().triangle(facet, appearanceOf(facet)));
     return triangles.get(facet);
   }
 
   /** The appearance of a triangle, without the texture if a corner does not lie in it. */
   private Appearance appearanceOf(final int facet) {
     final Appearance its = appearance.of(facet);
-    return texCoords != null && texCoords.has(facet) ? its : its.untextured();
+    return surface.hasTexCoords(facet) ? its : its.untextured();
   }
 
   @Override
   public String toString() {
-    return "TriangularMesh(" + tree.size() + " triangles)";
+    return "TriangularMesh(" + surface.tree().size() + " triangles)";
   }
 }

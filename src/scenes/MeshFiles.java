@@ -78,10 +78,9 @@ final class MeshFiles {
     private final MeshFile file;
     private final boolean flat;
     private final boolean promediated;
-    private final Map<Appearance, TriangularMesh> coloured = new HashMap<>();
-    private MeshData data;
-    private TriangularMesh any;
-    private TriangularMesh ofMaterials;
+    private MeshPlacement extent;
+    private ColouredMesh near;
+    private ColouredMesh far;
 
     MeshModel(final MeshFile file, final boolean flat, final boolean promediated) {
       this.file = file;
@@ -110,28 +109,59 @@ final class MeshFiles {
       if (file.mesh() == null) {
         return null;
       }
-      if (data == null) {
-        data = flat ? file.mesh().flat() : promediated ? file.mesh().averaged() : file.mesh().smooth();
+      if (near == null) {
+        final MeshData data = flat ? file.mesh().flat() : promediated ? file.mesh().averaged() : file.mesh().smooth();
+        extent = new MeshPlacement(data);
+        near = new ColouredMesh(data);
       }
-      return placement.applied(look == null ? ofMaterials() : of(look));
+      warnOfBareFacets(look);
+      final ExactPlacement exact = placement.exact();
+      if (extent.isNear(exact, placement.rounded())) {
+        return placement.applied(near.of(look, file));
+      }
+      far = far != null ? far : new ColouredMesh(extent.aboutCentre());
+      return extent.applied(exact, far.of(look, file));
     }
 
-    private TriangularMesh of(final Appearance look) {
-      final int bareLine = file.mesh().firstLineWithoutTexCoords();
-      if (look.texture() != null && bareLine > 0 && bare.add(file.path)) {
-        problems.add(file.offset, new Problem(file.path.toString(), bareLine, 1, Problem.Severity.WARNING,
+    @Override
+    public void check(final Placement placement, final int offset) {
+      if (near != null && !extent.isFinite(placement.exact())) {
+        problems.error(offset, "meshTooFar");
+      } else if (near != null && extent.isFarAway(placement.exact())) {
+        problems.warning(offset, "meshFar", extent.translationToOrigin(placement.exact()));
+      }
+    }
+
+    private void warnOfBareFacets(final Appearance look) {
+      final int line = file.mesh().firstLineWithoutTexCoords();
+      if (look != null && look.texture() != null && line > 0 && bare.add(file.path)) {
+        problems.add(file.offset, new Problem(file.path.toString(), line, 1, Problem.Severity.WARNING,
             Messages.text("scenes.someTexCoords")));
       }
-      any = any != null ? any : TriangularMesh.of(data, look);
-      return coloured.computeIfAbsent(look, any::with);
+    }
+  }
+
+  /** A mesh in the appearances of the objects that show it, which share its geometry. */
+  private static final class ColouredMesh {
+
+    private final MeshData data;
+    private final Map<Appearance, TriangularMesh> coloured = new HashMap<>();
+    private TriangularMesh any;
+
+    ColouredMesh(final MeshData data) {
+      this.data = data;
     }
 
-    private TriangularMesh ofMaterials() {
-      if (ofMaterials == null) {
-        final MaterialFiles materials = file.materials();
-        ofMaterials = TriangularMesh.of(data, materials.appearances(), materials.ofTriangles());
+    /** The mesh of an appearance; null: that of the materials of its file. */
+    TriangularMesh of(final Appearance look, final MeshFile file) {
+      TriangularMesh mesh = coloured.get(look);
+      if (mesh == null) {
+        mesh = look == null ? TriangularMesh.of(data, file.materials().appearances(), file.materials().ofTriangles())
+            : any != null ? any.with(look) : TriangularMesh.of(data, look);
+        any = mesh;
+        coloured.put(look, mesh);
       }
-      return ofMaterials;
+      return mesh;
     }
   }
 

@@ -16,6 +16,11 @@ interface Model {
     return false;
   }
 
+  /** Reports what is wrong with the place of the model in the scene, if anything is. */
+  default void check(final Placement placement, final int offset) {
+    // Shapes check their own numbers.
+  }
+
   /** The shape where a rigid placement takes it. */
   Object3D at(Placement placement, Appearance look);
 

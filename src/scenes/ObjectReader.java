@@ -50,6 +50,7 @@ final class ObjectReader {
     }
     try {
       final Object3D placed = model.placed(placement, look);
+      model.check(placement, object.offset());
       if (placed != null) {
         group.addObject(placed);
         names.put(placed, id);

@@ -3,6 +3,7 @@ package scenes;
 import java.util.Arrays;
 
 import javax.vecmath.Matrix3d;
+import javax.vecmath.Vector3d;
 import javax.vecmath.Vector3f;
 
 import models.AffineTransformation;
@@ -22,16 +23,31 @@ final class Placement {
   private static final float[] ZERO = {0, 0, 0};
 
   /** The model as it is. */
-  static final Placement NONE = new Placement(ONE, Rotation.NONE, ZERO);
+  static final Placement NONE = new Placement(ONE, Rotation.NONE, ZERO, null);
 
   private final float[] scale;
   private final Rotation turn;
   private final float[] shift;
+  private final ExactPlacement exact;
 
-  Placement(final float[] scale, final Rotation turn, final float[] shift) {
+  Placement(final float[] scale, final Rotation turn, final float[] shift, final ExactPlacement exact) {
     this.scale = scale;
     this.turn = turn;
     this.shift = shift;
+    this.exact = exact;
+  }
+
+  /** The placement in double precision. */
+  ExactPlacement exact() {
+    return exact;
+  }
+
+  /** The placement that {@link #applied} makes, as numbers. */
+  ExactPlacement rounded() {
+    final float[] axis = new float[3];
+    turn.axis().get(axis);
+    return new ExactPlacement(new Vector3d(scale[0], scale[1], scale[2]),
+        new Matrix3d(Rotation.about(axis, turn.degrees()).matrix()), new Vector3d(shift[0], shift[1], shift[2]));
   }
 
   /** The factors of an object that is not scaled. */

@@ -13,8 +13,8 @@ final class PlacementReader {
    */
   private static final double PARALLEL = 0x1p-21;
 
-  private static final String[] MAIN = {"iVector", "jVector", "kVector"};
-  private static final String[] AUXILIARY = {"iauxVector", "jauxVector", "kauxVector"};
+  static final String[] MAIN = {"iVector", "jVector", "kVector"};
+  static final String[] AUXILIARY = {"iauxVector", "jauxVector", "kauxVector"};
 
   private final Values values;
 
@@ -33,7 +33,8 @@ final class PlacementReader {
       final Element value = object.find("scaleFactors");
       values.problems().error(value.valueOffset(), "scaleZero", Messages.quote(value.text()));
     }
-    return values.problems().errors() > before ? null : new Placement(scale, rotation.after(aiming), shift);
+    return values.problems().errors() > before ? null : new Placement(scale, rotation.after(aiming), shift,
+        ExactPlacement.of(object));
   }
 
   private float[] triple(final Element object, final String name, final float[] absent) {
@@ -84,24 +85,33 @@ final class PlacementReader {
     }
   }
 
-  /**
-   * The turn that takes the main axis along its vector, and the auxiliary axis as near to its own as it can be: of the
-   * three axes, the one that is neither is perpendicular to both vectors, and the auxiliary one follows from the others.
-   */
+  /** The turn that takes the main axis along its vector, and the auxiliary axis as near to its own as it can be. */
   private Rotation aimed(final int main, final Element mainValue, final int auxiliary, final Element auxiliaryValue) {
     final Vector3d m = direction(mainValue);
     final Vector3d aux = direction(auxiliaryValue);
     if (m == null || aux == null) {
       return Rotation.NONE;
     }
+    final Vector3d[] frame = frame(main, m, auxiliary, aux);
+    if (frame == null) {
+      values.problems().error(auxiliaryValue.valueOffset(), "parallel", auxiliaryValue.name(),
+          Messages.quote(auxiliaryValue.text()), mainValue.name(), Messages.quote(mainValue.text()));
+      return Rotation.NONE;
+    }
+    return Rotation.to(frame[0], frame[1], frame[2]);
+  }
+
+  /**
+   * Where the three axes go: of them, the one that is neither main nor auxiliary is perpendicular to both vectors, which
+   * have unit length, and the auxiliary one follows from the others. Null if the vectors are parallel.
+   */
+  static Vector3d[] frame(final int main, final Vector3d m, final int auxiliary, final Vector3d aux) {
     final boolean inOrder = (main + 1) % 3 == auxiliary;
     final Vector3d[] frame = new Vector3d[3];
     final Vector3d third = new Vector3d();
     third.cross(inOrder ? m : aux, inOrder ? aux : m);
     if (!(third.length() > PARALLEL)) {
-      values.problems().error(auxiliaryValue.valueOffset(), "parallel", auxiliaryValue.name(),
-          Messages.quote(auxiliaryValue.text()), mainValue.name(), Messages.quote(mainValue.text()));
-      return Rotation.NONE;
+      return null;
     }
     third.normalize();
     final Vector3d second = new Vector3d();
@@ -109,7 +119,7 @@ final class PlacementReader {
     frame[main] = m;
     frame[auxiliary] = second;
     frame[3 - main - auxiliary] = third;
-    return Rotation.to(frame[0], frame[1], frame[2]);
+    return frame;
   }
 
   private Vector3d direction(final Element value) {

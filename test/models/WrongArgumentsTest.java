@@ -246,7 +246,7 @@ class WrongArgumentsTest {
   private void meshes() {
     wrong("vertices", "null", () -> new TriangularMesh(null, List.of("1 2 3")));
     wrong("facetas", "null", () -> new TriangularMesh(vertices(), null));
-    wrong("color", "null", () -> new TriangularMesh(vertices(), List.of("1 2 3"), null));
+    wrong("color", "null", () -> new TriangularMesh(vertices(), List.of("1 2 3"), (Color) null));
     wrong("facet 1", "null", () -> new TriangularMesh(vertices(), Arrays.asList("1 2 3", null)));
     for (final String facet : List.of("", "1 2", "1 2 3 4", "a b c", "1 2 3x", "1.5 2 3", "1;2;3", "/1 2 3",
         "99999999999 1 2")) {

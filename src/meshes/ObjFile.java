@@ -1,0 +1,117 @@
+package meshes;
+
+import static arguments.Arguments.notNull;
+
+import java.awt.Color;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.stream.Collectors;
+
+import diagnostics.Problem;
+import materials.Material;
+import materials.Texture;
+import models.Appearance;
+import models.MeshData;
+import models.TriangularMesh;
+
+/**
+ * Meshes from Wavefront OBJ files, also zipped, for a program of one's own:
+ *
+ * <pre>{@code
+ *   scene.addObject(ObjFile.read(Path.of("cow.obj"), Color.PINK));
+ * }</pre>
+ *
+ * <p>A mesh is smooth: it has the normals of its file, and where corners have none the averages of the facets around them.
+ * What can be read all the same, such as a facet without area, is passed over silently; {@code UPNaTRay --check} reports it
+ * for a scene file.
+ */
+public final class ObjFile {
+
+  private ObjFile() {
+  }
+
+  /** A file that holds no mesh. The message has a line for each error: file, line, column, and what is wrong. */
+  public static final class InvalidException extends UncheckedIOException {
+    private static final long serialVersionUID = 1L;
+
+    InvalidException(final String message) {
+      super(message, new IOException(message));
+    }
+  }
+
+  /**
+   * Reads a smooth mesh of one colour.
+   *
+   * @param file the file
+   * @param color colour of all triangles
+   * @return the mesh
+   * @throws InvalidException if the file cannot be read or holds no mesh
+   * @throws IllegalArgumentException if an argument is null
+   */
+  public static TriangularMesh read(final Path file, final Color color) {
+    return TriangularMesh.of(mesh(file, true).smooth(), Appearance.of(color));
+  }
+
+  /**
+   * Reads a smooth mesh of a material.
+   *
+   * @param file the file
+   * @param material material of all triangles
+   * @return the mesh
+   * @throws InvalidException if the file cannot be read or holds no mesh
+   * @throws IllegalArgumentException if an argument is null
+   */
+  public static TriangularMesh read(final Path file, final Material material) {
+    return TriangularMesh.of(mesh(file, true).smooth(), Appearance.of(material));
+  }
+
+  /**
+   * Reads a smooth mesh with a texture. A triangle with a corner without texture coordinates has the texture's mean colour.
+   *
+   * @param file the file
+   * @param texture the texture, see {@link TextureFile}
+   * @return the mesh
+   * @throws InvalidException if the file cannot be read or holds no mesh
+   * @throws IllegalArgumentException if an argument is null
+   */
+  public static TriangularMesh read(final Path file, final Texture texture) {
+    return TriangularMesh.of(mesh(file, true).smooth(), Appearance.of(texture));
+  }
+
+  /**
+   * Reads a smooth mesh in the colours and textures of its material files ({@code .mtl}). Where it names no material, or one
+   * that is not found, it is light grey.
+   *
+   * @param file the file
+   * @return the mesh
+   * @throws InvalidException if the file cannot be read or holds no mesh
+   * @throws IllegalArgumentException if the file is null
+   */
+  public static TriangularMesh read(final Path file) {
+    final ObjMesh mesh = mesh(file, true);
+    final MaterialFiles materials = new MaterialFiles(file, mesh);
+    return TriangularMesh.of(mesh.smooth(), materials.appearances(), materials.ofTriangles());
+  }
+
+  /**
+   * Reads the arrays of a flat mesh, for {@link TriangularMesh#of(MeshData, Appearance)}.
+   *
+   * @param file the file
+   * @return the arrays
+   * @throws InvalidException if the file cannot be read or holds no mesh
+   * @throws IllegalArgumentException if the file is null
+   */
+  public static MeshData readFlat(final Path file) {
+    return mesh(file, false).flat();
+  }
+
+  private static ObjMesh mesh(final Path file, final boolean averaged) {
+    final ObjReader.Result reading = new ObjReader(notNull("file", file), averaged).read();
+    if (reading.mesh() == null) {
+      throw new InvalidException(reading.problems().stream().filter(Problem::isError).map(Problem::toString)
+          .collect(Collectors.joining(System.lineSeparator())));
+    }
+    return reading.mesh();
+  }
+}

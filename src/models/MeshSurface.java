@@ -1,0 +1,59 @@
+package models;
+
+import tracer.Hit;
+import tracer.Ray;
+
+/** What meshes of different appearance share: the tree of the triangles, and what shades and places their corners. */
+final class MeshSurface {
+
+  /** Interpolated normals shorter than this have no direction left: the triangle's own counts. */
+  private static final double SHORTEST = 1e-6;
+
+  private final MeshTree tree;
+  /** What shades the corners; null for a flat mesh. */
+  private final CornerNormals normals;
+  /** Null for a mesh without texture coordinates. */
+  private final CornerTexCoords texCoords;
+
+  /** A flat surface. */
+  MeshSurface(final MeshArrays arrays) {
+    this.tree = new MeshTree(arrays);
+    this.normals = null;
+    this.texCoords = null;
+  }
+
+  /** The surface of arrays that were rounded from data. */
+  MeshSurface(final MeshData data, final MeshArrays arrays) {
+    this.tree = new MeshTree(arrays);
+    this.normals = data.normals() == null ? null : new CornerNormals(data, arrays);
+    this.texCoords = data.texCoords() == null ? null : new CornerTexCoords(data, arrays);
+  }
+
+  MeshTree tree() {
+    return tree;
+  }
+
+  /** Whether all corners of a triangle lie in a texture. */
+  boolean hasTexCoords(final int facet) {
+    return texCoords != null && texCoords.has(facet);
+  }
+
+  /** A hit with what the mesh adds to that of its triangle. */
+  Hit shaded(final Hit flat, final int facet, final Ray ray, final double distance) {
+    if (normals == null && texCoords == null || !flat.hits()) {
+      return flat;
+    }
+    final Weights weights = ((Triangle) flat.getObject()).weights(ray, distance);
+    final double gx = flat.geometricX(), gy = flat.geometricY(), gz = flat.geometricZ();
+    double x = gx, y = gy, z = gz;
+    if (normals != null) {
+      x = normals.component(facet, 0, weights, gx);
+      y = normals.component(facet, 1, weights, gy);
+      z = normals.component(facet, 2, weights, gz);
+    }
+    final boolean hasDirection = x * x + y * y + z * z > SHORTEST * SHORTEST;
+    return flat.withShading(hasDirection ? x : gx, hasDirection ? y : gy, hasDirection ? z : gz,
+        texCoords == null ? Double.NaN : texCoords.coordinate(facet, 0, weights),
+        texCoords == null ? Double.NaN : texCoords.coordinate(facet, 1, weights));
+  }
+}
