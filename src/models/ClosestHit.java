@@ -53,6 +53,11 @@ final class ClosestHit {
     return t * SAME;
   }
 
+  /** The object that was hit; null if there is none. */
+  Object3D object() {
+    return object;
+  }
+
   Hit hit() {
     if (object == null) {
       return Hit.NOHIT;

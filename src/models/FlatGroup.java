@@ -179,6 +179,10 @@ final class FlatGroup {
   }
 
   Hit closestHit(final Ray ray) {
+    return closest(ray).hit();
+  }
+
+  ClosestHit closest(final Ray ray) {
     final ClosestHit closest = new ClosestHit(ray);
     for (int i = 0; i < unbounded; i++) {
       closest.ask(objects[i], order[i]);
@@ -190,7 +194,7 @@ final class FlatGroup {
           }
           return closest.farthest();
         });
-    return closest.hit();
+    return closest;
   }
 
   boolean intersectsBefore(final Ray ray, final double tmax) {

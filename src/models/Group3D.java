@@ -184,6 +184,17 @@ public class Group3D extends Object3D {
     return notNull("ray", ray) != Ray.NORAY && members().intersectsBefore(ray, tmax);
   }
 
+  /**
+   * The object of this group, or of a group within it, that a ray hits first.
+   *
+   * @param ray the ray
+   * @return the object, perhaps a transformation; null if the ray hits nothing
+   * @throws IllegalArgumentException if the ray is null
+   */
+  public Object3D objectHitBy(final Ray ray) {
+    return notNull("ray", ray) == Ray.NORAY ? null : members().closest(ray).object();
+  }
+
   @Override
   boolean intersectsBefore(final Ray ray, final double tmax) {
     return members().intersectsBefore(ray, tmax);

@@ -175,7 +175,17 @@ public final class TileHits {
   }
 
   /**
-   * Whether a ray meets anything.
+   * Whether a pixel has a ray.
+   *
+   * @param i number of the pixel, column + SIZE · row
+   * @return false if the projection sends none through it
+   */
+  public boolean isPresent(final int i) {
+    return rays.isPresent(i);
+  }
+
+  /**
+   * Whether a ray hits anything.
    *
    * @param i number of the pixel, column + SIZE · row
    * @return false for a pixel without a ray

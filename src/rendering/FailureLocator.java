@@ -20,12 +20,12 @@ final class FailureLocator {
 
   private final Group3D scene;
   private final RayGenerator generator;
-  private final Shading shading;
+  private final PixelWriter picture;
 
-  FailureLocator(final Group3D scene, final RayGenerator generator, final Shading shading) {
+  FailureLocator(final Group3D scene, final RayGenerator generator, final PixelWriter picture) {
     this.scene = scene;
     this.generator = generator;
-    this.shading = shading;
+    this.picture = picture;
   }
 
   /**
@@ -79,16 +79,16 @@ final class FailureLocator {
     try {
       final Hit hit = scene.intersectionWith(ray);
       if (hit.hits()) {
-        shading.argb(ray, hit);
+        picture.hit((generator.getHeight() - 1 - n) * generator.getWidth() + m, ray, hit);
       }
       return null;
     } catch (TracingFailure failure) {
       final String call = failure.call() == null ? failing(scene, failure.ray()) : failure.call();
-      return call == null ? Messages.text("rendering.shadingFails", shading.getClass().getName(), m, n, cause)
+      return call == null ? Messages.text("rendering.shadingFails", picture.toString(), m, n, cause)
           : Messages.text("rendering.objectFails", call, m, n, failure.ray(), failure.getCause());
     } catch (RuntimeException | StackOverflowError failure) {
       return cause instanceof StackOverflowError ? null
-          : Messages.text("rendering.shadingFails", shading.getClass().getName(), m, n, cause);
+          : Messages.text("rendering.shadingFails", picture.toString(), m, n, cause);
     }
   }
 

@@ -1,50 +1,73 @@
 package rendering;
 
 import models.Group3D;
+import models.Object3D;
 import tracer.Hit;
 import tracer.Ray;
 import tracer.RayGenerator;
 
 /**
- * How a scene becomes a picture, pixel by pixel as the assignment says it: the ray of the pixel, its closest hit, the
- * colour of what is hit, or the background. This is what {@link TileRenderer} computes faster, bit for bit, and what a
- * debugger shows best: a breakpoint in the {@code intersectionWith} of a shape stops at each ray.
+ * How a scene becomes a picture, pixel by pixel as the assignment says it: the ray of the pixel, the closest of its hits
+ * with all objects, the colour of what is hit, or the background. {@link TileRenderer} computes the same faster, bit for
+ * bit. A debugger shows best what happens here: a breakpoint in the {@code intersectionWith} of a shape stops at each ray.
  */
-final class PixelLoop {
+public final class PixelLoop {
 
   private final Group3D scene;
   private final RayGenerator generator;
-  private final RenderSettings settings;
-  private final int background;
+  private final Progress progress;
+  private final PixelWriter picture;
 
-  PixelLoop(final Group3D scene, final RayGenerator generator, final RenderSettings settings, final int background) {
+  /**
+   * A renderer of one picture.
+   *
+   * @param scene the scene
+   * @param generator the rays of the picture, which give its size
+   * @param progress watches the rows
+   * @param picture what becomes of each pixel
+   */
+  public PixelLoop(final Group3D scene, final RayGenerator generator, final Progress progress, final PixelWriter picture) {
     this.scene = scene;
     this.generator = generator;
-    this.settings = settings;
-    this.background = background;
+    this.progress = progress;
+    this.picture = picture;
   }
 
-  /** Computes all pixels, the top row first; returns false if it was stopped before. */
-  boolean run(final int[] pixels) {
+  /**
+   * Computes all pixels, the top row first.
+   *
+   * @return false if the rendering was stopped before its end
+   */
+  public boolean run() {
     final int W = generator.getWidth(), H = generator.getHeight();
-    for (int n = H - 1; n >= 0; n--) {
+    boolean goOn = true;
+    for (int n = H - 1; n >= 0 && goOn; n--) {
       for (int m = 0; m < W; m++) {
-        pixels[(H - 1 - n) * W + m] = argb(m, n);
+        try {
+          final Ray ray = generator.getRay(m, n);
+          final Hit hit = closestHit(scene, ray);
+          final int pixel = (H - 1 - n) * W + m;
+          if (hit.hits()) {
+            picture.hit(pixel, ray, hit);
+          } else {
+            picture.miss(pixel, ray);
+          }
+        } catch (RuntimeException | StackOverflowError failure) {
+          throw new FailureLocator(scene, generator, picture).explain(failure, m, n, 1, 1);
+        }
       }
-      if (!settings.progress().tileDone(0, H - 1 - n, W, 1)) {
-        return false;
-      }
+      goOn = progress.tileDone(0, H - 1 - n, W, 1);
     }
-    return true;
+    return goOn;
   }
 
-  private int argb(final int m, final int n) {
-    try {
-      final Ray ray = generator.getRay(m, n);
-      final Hit hit = scene.intersectionWith(ray);
-      return hit.hits() ? settings.shading().argb(ray, hit) : background;
-    } catch (RuntimeException | StackOverflowError failure) {
-      throw new FailureLocator(scene, generator, settings.shading()).explain(failure, m, n, 1, 1);
+  /** The closest hit of all objects of a group; of two at the same distance, that of the object added first. */
+  private static Hit closestHit(final Group3D group, final Ray ray) {
+    Hit closest = Hit.NOHIT;
+    for (final Object3D object : group.getObjects()) {
+      final Hit hit = object instanceof Group3D ? closestHit((Group3D) object, ray) : object.intersectionWith(ray);
+      closest = hit.isCloser(closest) ? hit : closest;
     }
+    return closest;
   }
 }

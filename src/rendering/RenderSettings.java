@@ -3,6 +3,11 @@ package rendering;
 import static arguments.Arguments.notNull;
 import static arguments.Arguments.positive;
 
+import java.util.concurrent.ThreadFactory;
+
+import models.Group3D;
+import tracer.RayGenerator;
+
 /**
  * How an image is computed: what does not belong to the scene or the camera.
  *
@@ -46,6 +51,36 @@ public record RenderSettings(int threads, Shading shading, Progress progress, bo
    */
   public RenderSettings(final int threads, final Shading shading, final Progress progress) {
     this(threads, shading, progress, Boolean.getBoolean(PIXEL_LOOP));
+  }
+
+  /**
+   * Renders a picture.
+   *
+   * @param scene the scene
+   * @param generator the rays of the picture, which give its size
+   * @param picture what becomes of each pixel
+   * @param factory makes the threads beside the calling one
+   * @return false if the rendering was stopped before its end
+   */
+  public boolean render(final Group3D scene, final RayGenerator generator, final PixelWriter picture,
+      final ThreadFactory factory) {
+    scene.refresh();
+    if (shading instanceof Illumination light) {
+      light.scene().refresh();
+    }
+    return pixelLoop ? new PixelLoop(scene, generator, progress, picture).run()
+        : new TileRenderer(scene, generator, this, picture).run(factory);
+  }
+
+  /**
+   * The pixels of this shading.
+   *
+   * @param pixels where they go, as sRGB with alpha, the top row first
+   * @param background pixel without a hit
+   * @return what writes them
+   */
+  public PixelWriter colours(final int[] pixels, final int background) {
+    return new ColourWriter(shading, pixels, background);
   }
 
   /**

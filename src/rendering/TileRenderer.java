@@ -20,8 +20,7 @@ public final class TileRenderer {
   private final Group3D scene;
   private final RayGenerator generator;
   private final RenderSettings rendering;
-  private final int[] pixels;
-  private final int background;
+  private final PixelWriter picture;
   private final int W;
   private final int H;
   private final int across;
@@ -37,17 +36,15 @@ public final class TileRenderer {
    *
    * @param scene the scene
    * @param generator the rays of the picture, which give its size
-   * @param rendering how to compute it
-   * @param pixels where its pixels go, as sRGB with alpha, the top row first
-   * @param background pixel without a hit
+   * @param rendering how many threads compute it, and what watches them
+   * @param picture what becomes of each pixel
    */
-  public TileRenderer(final Group3D scene, final RayGenerator generator, final RenderSettings rendering, final int[] pixels,
-      final int background) {
+  public TileRenderer(final Group3D scene, final RayGenerator generator, final RenderSettings rendering,
+      final PixelWriter picture) {
     this.scene = scene;
     this.generator = generator;
     this.rendering = rendering;
-    this.pixels = pixels;
-    this.background = background;
+    this.picture = picture;
     this.W = generator.getWidth();
     this.H = generator.getHeight();
     this.across = (W + RayTile.SIZE - 1) / RayTile.SIZE;
@@ -62,13 +59,6 @@ public final class TileRenderer {
    * @return false if the rendering was stopped before its end
    */
   public boolean run(final ThreadFactory factory) {
-    scene.refresh();
-    if (rendering.shading() instanceof Illumination light) {
-      light.scene().refresh();
-    }
-    if (rendering.pixelLoop()) {
-      return new PixelLoop(scene, generator, rendering, background).run(pixels);
-    }
     final Thread[] helpers = new Thread[Math.min(rendering.threads(), tiles) - 1];
     final int started = start(helpers, factory);
     work();
@@ -125,7 +115,7 @@ public final class TileRenderer {
         paint(hits, row * RayTile.SIZE, width, (H - 1 - n - row) * W + m);
       }
     } catch (RuntimeException | StackOverflowError e) {
-      throw new FailureLocator(scene, generator, rendering.shading()).explain(e, m, n, width, height);
+      throw new FailureLocator(scene, generator, picture).explain(e, m, n, width, height);
     }
     if (!rendering.progress().tileDone(m, H - n - height, width, height)) {
       stopped = true;
@@ -133,21 +123,28 @@ public final class TileRenderer {
   }
 
   private void paint(final TileHits hits, final int first, final int width, final int at) {
-    final boolean plain = rendering.shading() == Shading.PLAIN;
-    for (int i = 0; i < width; i++) {
-      if (!hits.hits(first + i)) {
-        pixels[at + i] = background;
-      } else if (plain) {
-        pixels[at + i] = hits.argb(first + i);
-      } else {
-        pixels[at + i] = shade(hits.ray(first + i), hits.hit(first + i));
+    if (picture instanceof ColourWriter colours && colours.isPlain()) {
+      for (int i = 0; i < width; i++) {
+        if (hits.hits(first + i)) {
+          colours.paint(at + i, hits.argb(first + i));
+        } else {
+          colours.miss(at + i, Ray.NORAY);
+        }
+      }
+    } else {
+      for (int i = 0; i < width; i++) {
+        write(at + i, hits.isPresent(first + i) ? hits.ray(first + i) : Ray.NORAY, hits.hit(first + i));
       }
     }
   }
 
-  /** A hit whose numbers no float can hold is none. */
-  private int shade(final Ray ray, final Hit hit) {
-    return hit.hits() ? rendering.shading().argb(ray, hit) : background;
+  /** A hit that overflows float counts as a miss. */
+  private void write(final int pixel, final Ray ray, final Hit hit) {
+    if (hit.hits()) {
+      picture.hit(pixel, ray, hit);
+    } else {
+      picture.miss(pixel, ray);
+    }
   }
 
   /** Waits for a helper to end, which is soon, as no tile is left; answers whether this thread was interrupted meanwhile. */

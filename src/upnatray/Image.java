@@ -14,7 +14,6 @@ import lights.LightGroup;
 import models.Group3D;
 import rendering.Illumination;
 import rendering.RenderSettings;
-import rendering.TileRenderer;
 import view.Camera;
 
 /**
@@ -75,7 +74,10 @@ public class Image extends BufferedImage {
    * @throws IllegalStateException if the camera has no projection
    */
   public boolean synthesis(final Group3D scene, final Camera camera, final RenderSettings rendering) {
-    return synthesis(scene, camera, rendering, Thread::new);
+    notNull("scene", scene);
+    notNull("rendering", rendering);
+    return rendering.render(scene, notNull("camera", camera).getRayGenerator(getWidth(), getHeight()),
+        rendering.colours(pixels(), background), Thread::new);
   }
 
   /**
@@ -93,12 +95,12 @@ public class Image extends BufferedImage {
         new Illumination(scene, lights, RECURSION_DEPTH, new Color(background, true))));
   }
 
-  /** The same by threads of somebody's making, who may want to know what time they take. */
+  /** The same with threads from the given factory, whose time can be measured. */
   boolean synthesis(final Group3D scene, final Camera camera, final RenderSettings rendering, final ThreadFactory threads) {
     notNull("scene", scene);
     notNull("rendering", rendering);
-    return new TileRenderer(scene, notNull("camera", camera).getRayGenerator(getWidth(), getHeight()), rendering,
-        pixels(), background).run(threads);
+    return rendering.render(scene, notNull("camera", camera).getRayGenerator(getWidth(), getHeight()),
+        rendering.colours(pixels(), background), threads);
   }
 
   private int[] pixels() {

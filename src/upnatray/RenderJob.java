@@ -4,15 +4,13 @@ import static arguments.Arguments.notNull;
 import static arguments.Arguments.positive;
 
 import java.awt.Color;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 
-import models.Group3D;
-import models.Object3D;
 import rendering.ColourScale;
 import rendering.Illumination;
+import rendering.NumberPass;
+import rendering.ObjectColours;
 import rendering.Progress;
 import rendering.RenderPass;
 import rendering.RenderSettings;
@@ -31,8 +29,8 @@ public final class RenderJob {
   private final RenderPass view;
   private final int threads;
   private final Image image;
-  /** For a view of numbers: their bits as floats, 0 where there is none. */
-  private final Image numbers;
+  /** The numbers of a view of numbers; null for the others. */
+  private final NumberPass numbers;
   private final AtomicLong done = new AtomicLong();
   private volatile boolean cancelled;
   private volatile long begin;
@@ -55,11 +53,8 @@ public final class RenderJob {
     this.view = notNull("view", view);
     this.threads = positive("threads", threads);
     this.image = new Image(W, H, view == RenderPass.COLOUR ? scene.background() : NOTHING);
-    this.numbers = hasScale() ? new Image(W, H, NOTHING) : null;
-  }
-
-  private boolean hasScale() {
-    return view == RenderPass.DEPTH || view == RenderPass.COST;
+    this.numbers = view == RenderPass.DEPTH ? NumberPass.ofDepth(W * H)
+        : view == RenderPass.COST ? NumberPass.ofCost(W * H, scene.objects()) : null;
   }
 
   /**
@@ -80,8 +75,7 @@ public final class RenderJob {
       return watcher.tileDone(x, y, width, height) && !cancelled;
     };
     try {
-      final RenderSettings rendering = new RenderSettings(threads, shading(), progress);
-      final boolean completed = (numbers == null ? image : numbers).synthesis(objects(), scene.camera(), rendering);
+      final boolean completed = render(new RenderSettings(threads, shading(), progress));
       scale().ifPresent(this::recolour);
       return completed;
     } finally {
@@ -89,13 +83,19 @@ public final class RenderJob {
     }
   }
 
+  private boolean render(final RenderSettings settings) {
+    return numbers == null ? image.synthesis(scene.objects(), scene.camera(), settings)
+        : settings.render(scene.objects(), scene.camera().getRayGenerator(image.getWidth(), image.getHeight()), numbers,
+        Thread::new);
+  }
+
   private Shading shading() {
     return switch (view) {
       case COLOUR -> shading(scene);
       case NORMALS -> (ray, hit) -> 0xff << 24 | channel(hit.normalX()) << 16 | channel(hit.normalY()) << 8
           | channel(hit.normalZ());
-      case OBJECT -> Shading.PLAIN;
-      case DEPTH, COST -> (ray, hit) -> Float.floatToRawIntBits(hit.getT());
+      case OBJECT -> new ObjectColours(scene.objects());
+      case DEPTH, COST -> Shading.PLAIN;
     };
   }
 
@@ -118,69 +118,39 @@ public final class RenderJob {
     return (int) (127.5 * (1 + component) + 0.5);
   }
 
-  /** What is rendered: the objects of the scene, or what stands for them. */
-  private Group3D objects() {
-    if (view != RenderPass.OBJECT && view != RenderPass.COST) {
-      return scene.objects();
-    }
-    final Group3D others = new Group3D();
-    if (view == RenderPass.COST) {
-      others.addObject(new CostField(scene.objects()));
-    } else {
-      final List<Object3D> all = new ArrayList<>();
-      collect(scene.objects(), all);
-      for (int i = 0; i < all.size(); i++) {
-        others.addObject(new TaggedObject(all.get(i), i));
-      }
-    }
-    return others;
-  }
-
-  private static void collect(final Group3D group, final List<Object3D> all) {
-    for (final Object3D object : group.getObjects()) {
-      if (object instanceof Group3D part) {
-        collect(part, all);
-      } else {
-        all.add(object);
-      }
-    }
-  }
-
   /** Makes colours of the numbers of a part of the picture, on the scale of those known so far. */
   private void paint(final int x, final int y, final int width, final int height) {
-    final int[] bits = numbers.getRGB(x, y, width, height, null, 0, width);
-    final ColourScale scale = widened(bits);
-    for (int i = 0; i < bits.length; i++) {
-      bits[i] = bits[i] == 0 ? 0 : scale.argb(number(bits[i]));
+    final ColourScale scale = widened(x, y, width, height);
+    for (int row = y; row < y + height; row++) {
+      for (int column = x; column < x + width; column++) {
+        final double number = numbers.at(row * image.getWidth() + column);
+        image.setRGB(column, row, Double.isNaN(number) ? 0 : scale.argb(number));
+      }
     }
-    image.setRGB(x, y, width, height, bits, 0, width);
   }
 
   /** Brings all numbers to one scale; pixels without any, such as those that were not rendered, stay as they are. */
   private void recolour(final ColourScale scale) {
     final int W = image.getWidth();
-    for (int y = 0; y < image.getHeight(); y++) {
-      final int[] bits = numbers.getRGB(0, y, W, 1, null, 0, W), row = image.getRGB(0, y, W, 1, null, 0, W);
-      for (int x = 0; x < W; x++) {
-        row[x] = bits[x] == 0 ? row[x] : scale.argb(number(bits[x]));
+    for (int i = 0; i < W * image.getHeight(); i++) {
+      final double number = numbers.at(i);
+      if (!Double.isNaN(number)) {
+        image.setRGB(i % W, i / W, scale.argb(number));
       }
-      image.setRGB(0, y, W, 1, row, 0, W);
     }
   }
 
-  private synchronized ColourScale widened(final int[] bits) {
-    for (final int bit : bits) {
-      if (bit != 0) {
-        least = Math.min(least, number(bit));
-        greatest = Math.max(greatest, number(bit));
+  private synchronized ColourScale widened(final int x, final int y, final int width, final int height) {
+    for (int row = y; row < y + height; row++) {
+      for (int column = x; column < x + width; column++) {
+        final double number = numbers.at(row * image.getWidth() + column);
+        if (!Double.isNaN(number)) {
+          least = Math.min(least, number);
+          greatest = Math.max(greatest, number);
+        }
       }
     }
     return view == RenderPass.COST ? ColourScale.ofCost(greatest) : ColourScale.ofDepth(least, greatest);
-  }
-
-  private double number(final int bits) {
-    final float number = Float.intBitsToFloat(bits);
-    return view == RenderPass.COST ? number - 1 : number;
   }
 
   /** Ends the rendering after the tiles that are being computed. May be called at any time, before the run too. */
@@ -221,7 +191,7 @@ public final class RenderJob {
    * @return the scale; empty for the other views, and if there is no number
    */
   public synchronized Optional<ColourScale> scale() {
-    if (!hasScale() || least > greatest) {
+    if (numbers == null || least > greatest) {
       return Optional.empty();
     }
     return Optional.of(view == RenderPass.COST ? ColourScale.ofCost(greatest) : ColourScale.ofDepth(least, greatest));

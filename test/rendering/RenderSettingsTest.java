@@ -5,9 +5,52 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Color;
+
+import models.Group3D;
+import models.Sphere;
 import org.junit.jupiter.api.Test;
+import primitives.Point3D;
+import primitives.Vector3D;
+import tracer.Hit;
+import tracer.Ray;
+import upnatray.Image;
+import view.Camera;
+import view.Perspective;
 
 class RenderSettingsTest {
+
+  /** A ball that counts how often it is asked. */
+  private static final class Counting extends Sphere {
+
+    private int count;
+
+    Counting() {
+      super(new Point3D(), 1, Color.RED);
+    }
+
+    @Override
+    public Hit intersectionWith(final Ray ray) {
+      count++;
+      return super.intersectionWith(ray);
+    }
+  }
+
+  /** So a breakpoint there stops at each ray, also of objects in groups within the scene. */
+  @Test
+  void pixelLoopAsksEachShapeForEachPixel() {
+    final Camera camera = new Camera(new Point3D(0, 0, 5), new Point3D(), new Vector3D(0, 1, 0));
+    camera.setProjection(new Perspective(60, 1));
+    final Counting ball = new Counting();
+    final Group3D inner = new Group3D(), scene = new Group3D();
+    inner.addObject(ball);
+    scene.addObject(inner);
+    final Image image = new Image(8, 6, Color.BLACK);
+    image.synthesis(scene, camera, RenderSettings.STANDARD.withPixelLoop());
+    assertEquals(48, ball.count);
+    assertEquals(Color.RED.getRGB(), image.getRGB(4, 3));
+    assertEquals(Color.BLACK.getRGB(), image.getRGB(0, 0));
+  }
 
   @Test
   void theStandardUsesAllCoresAndPlainColours() {

@@ -1,0 +1,44 @@
+package rendering;
+
+import tracer.Hit;
+import tracer.Ray;
+
+/** Writes the colours of a shading, before a background. */
+final class ColourWriter implements PixelWriter {
+
+  private final Shading shading;
+  private final int[] pixels;
+  private final int background;
+
+  /** A writer into an array of sRGB with alpha, the top row first. */
+  ColourWriter(final Shading shading, final int[] pixels, final int background) {
+    this.shading = shading;
+    this.pixels = pixels;
+    this.background = background;
+  }
+
+  @Override
+  public void hit(final int pixel, final Ray ray, final Hit hit) {
+    pixels[pixel] = shading.argb(ray, hit);
+  }
+
+  @Override
+  public void miss(final int pixel, final Ray ray) {
+    pixels[pixel] = background;
+  }
+
+  /** Whether pixels have the plain colours of the objects, for which nobody needs to make a hit. */
+  boolean isPlain() {
+    return shading == Shading.PLAIN;
+  }
+
+  /** Writes a colour as it is. */
+  void paint(final int pixel, final int argb) {
+    pixels[pixel] = argb;
+  }
+
+  @Override
+  public String toString() {
+    return shading.getClass().getName();
+  }
+}

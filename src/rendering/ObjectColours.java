@@ -1,0 +1,52 @@
+package rendering;
+
+import static arguments.Arguments.notNull;
+
+import java.awt.Color;
+import java.util.IdentityHashMap;
+import java.util.Map;
+
+import models.Group3D;
+import models.Object3D;
+import tracer.Hit;
+import tracer.Ray;
+
+/** A colour for each object of a scene, whatever it is made of. Objects within groups have their own. */
+public final class ObjectColours implements Shading {
+
+  /** Part of the colour circle between one object and the next: neighbours differ, and it takes long to come round. */
+  private static final float GOLDEN_RATIO = 0.618034f;
+
+  private final Group3D scene;
+  private final Map<Object3D, Integer> colours = new IdentityHashMap<>();
+
+  /**
+   * The colours of the objects that a scene has now.
+   *
+   * @param scene the scene
+   * @throws IllegalArgumentException if the scene is null
+   */
+  public ObjectColours(final Group3D scene) {
+    this.scene = notNull("scene", scene);
+    collect(scene);
+  }
+
+  private void collect(final Group3D group) {
+    for (final Object3D object : group.getObjects()) {
+      if (object instanceof Group3D part) {
+        collect(part);
+      } else {
+        colours.putIfAbsent(object, color(colours.size()).getRGB());
+      }
+    }
+  }
+
+  private static Color color(final int number) {
+    return Color.getHSBColor(number * GOLDEN_RATIO, 0.45f + 0.1f * (number % 5), 0.95f - 0.12f * (number % 4));
+  }
+
+  @Override
+  public int argb(final Ray ray, final Hit hit) {
+    return colours.get(scene.objectHitBy(ray));
+  }
+}
