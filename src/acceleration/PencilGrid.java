@@ -20,9 +20,9 @@ package acceleration;
  * Nor are the forms exact: let |C·g − i| ≤ ρ and |D·g − 1| ≤ σ over the tile, which is found by applying them to G, S and T
  * (n times as much for S and T as they do once); evaluating that is wrong by no more than a few 2<sup>-53</sup> Σ |C| B,
  * which the surplus of 2<sup>-44</sup> B in E covers as well. With n the greatest i, the ray's own column is then off by
- * <pre>
+ * <blockquote>
  * |C·(g+e) − i D·(g+e)| / D·(g+e)  ≤  (ρ + Σ|C|E + n (σ + Σ|D|E)) / (1 − σ − Σ|D|E).
- * </pre>
+ * </blockquote>
  */
 final class PencilGrid {
 

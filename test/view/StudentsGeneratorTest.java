@@ -70,6 +70,7 @@ class StudentsGeneratorTest {
     new Anything(new Random(1), 16, 16).fill(tile, 0, 0);
     tile.close();
     tile.open(16, 16);
+    tile.close();
     for (int i = 0; i < 256; i++) {
       assertEquals(false, tile.isPresent(i));
     }
