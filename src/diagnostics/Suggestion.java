@@ -6,19 +6,25 @@ import java.util.Locale;
 import arguments.Messages;
 
 /**
- * Which known name someone meant who wrote another. Names are compared by the number of letters to insert, to
+ * The known name that was probably meant by an unknown one. Names are compared by the number of letters to insert, to
  * delete, to replace or to swap with their neighbour (optimal string alignment), capitals aside.
  */
 public final class Suggestion {
 
-  /** Longer names, or one of more names than these, nobody has mistyped. */
+  /** Longer names are not compared, nor one with more names than these. */
   private static final int LONGEST = 40;
   private static final int MOST = 1000;
 
   private Suggestion() {
   }
 
-  /** The known name nearest to what was found; null if none is near, where a third of the letters may be wrong. */
+  /**
+   * The known name nearest to what was found.
+   *
+   * @param found the name that was found
+   * @param known the known names
+   * @return the nearest; null if none is near: up to a third of the letters may be wrong
+   */
   public static String of(final String found, final Collection<String> known) {
     String nearest = null;
     double least = Double.POSITIVE_INFINITY;
@@ -35,7 +41,13 @@ public final class Suggestion {
     return nearest;
   }
 
-  /** The question after a message, with a blank before it; nothing if no known name is near, or if there are too many. */
+  /**
+   * The question whether a known name was meant, to end a message.
+   *
+   * @param found the name that was found
+   * @param known the known names
+   * @return the question after a blank; empty if no known name is near, or if there are too many
+   */
   public static String question(final String found, final Collection<String> known) {
     final String name = found.length() > LONGEST || known.size() > MOST ? null : of(found, known);
     return name == null ? "" : " " + Messages.text("diagnostics.didYouMean", name);

@@ -45,6 +45,11 @@ public record Lighting(boolean on, boolean facing, LightGroup lights, int recurs
     return new LightGroup(lights.getLights().toArray(Light[]::new));
   }
 
+  /**
+   * The lights.
+   *
+   * @return a new group of them; empty without illumination
+   */
   @Override
   public LightGroup lights() {
     return copy(lights);

@@ -108,7 +108,7 @@ final class SyntaxDiagnosis {
 
   private XmlSyntaxException ofInstruction(final int from) {
     final String target = StartTag.name(text, from + 2);
-    final int end = text.indexOf("?>", from);
+    final int end = text.indexOf("?>", from + 2);
     if (end < 0) {
       return new XmlSyntaxException(from, "endless", "<?", "?>");
     }
