@@ -17,6 +17,8 @@ public record ColourStep(Kind kind, double number, int argb) {
     BACKGROUND,
     /** The colour of the closest object. */
     OBJECT,
+    /** The radiance of the lit surface is shown: see {@link Inspection#light}. */
+    RADIANCE,
     /** Red, green and blue are multiplied by the number, the cosine between the ray and the normal on its side. */
     COSINE
   }

@@ -11,8 +11,10 @@ import java.util.Optional;
  *     sphere trace
  * @param colour the steps that compute the colour; the last one has the colour of the pixel
  * @param tests cost of finding the closest hit, see {@link models.Cost}
+ * @param light the tree of the light; empty if the scene is not lit or the ray hits nothing
  */
-public record Inspection(PixelRay pixel, List<Intersection> intersections, List<ColourStep> colour, int tests) {
+public record Inspection(PixelRay pixel, List<Intersection> intersections, List<ColourStep> colour, int tests,
+    Optional<PixelLight> light) {
 
   /**
    * Copies the lists.
@@ -22,6 +24,7 @@ public record Inspection(PixelRay pixel, List<Intersection> intersections, List<
    *     sphere trace
    * @param colour the steps that compute the colour; the last one has the colour of the pixel
    * @param tests cost of finding the closest hit, see {@link models.Cost}
+   * @param light the tree of the light; empty if the scene is not lit or the ray hits nothing
    */
   public Inspection {
     intersections = List.copyOf(intersections);

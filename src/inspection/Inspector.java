@@ -6,6 +6,7 @@ import static arguments.Arguments.notNull;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 
 import acceleration.RayTile;
 import models.Cost;
@@ -15,6 +16,8 @@ import tracer.Hit;
 import tracer.Ray;
 import tracer.RayGenerator;
 import upnatray.RenderJob;
+import radiometry.RadianceRGB;
+import rendering.Illumination;
 import rendering.Shading;
 
 /**
@@ -24,6 +27,7 @@ import rendering.Shading;
 public final class Inspector {
 
   private final SceneFile scene;
+  private final Shading shading;
   private final RayGenerator generator;
 
   /**
@@ -36,6 +40,7 @@ public final class Inspector {
    */
   public Inspector(final SceneFile scene, final int W, final int H) {
     this.scene = notNull("scene", scene);
+    this.shading = RenderJob.shading(scene);
     this.generator = scene.camera().getRayGenerator(W, H);
   }
 
@@ -54,7 +59,7 @@ public final class Inspector {
     final List<Formula> formulas = new RayFormulas(scene.camera(), W, H, m, n).of(ray);
     final Hit hit = closest(m, n);
     return new Inspection(new PixelRay(m, n, W, H, projection, formulas, ray), intersections(ray, hit), colour(ray, hit),
-        tests(ray));
+        tests(ray), light(ray, hit));
   }
 
   /**
@@ -99,17 +104,30 @@ public final class Inspector {
     }
   }
 
+  private Optional<PixelLight> light(final Ray ray, final Hit hit) {
+    if (!hit.hits() || !(shading instanceof Illumination illumination)) {
+      return Optional.empty();
+    }
+    final LightTreeBuilder builder = new LightTreeBuilder(scene.objects());
+    final RadianceRGB radiance = illumination.radiance(ray, hit, builder);
+    return builder.tree().map(root -> new PixelLight(root, radiance, illumination.exposure(),
+        illumination.recursionDepth()));
+  }
+
   private List<ColourStep> colour(final Ray ray, final Hit hit) {
     if (!hit.hits()) {
       final ColourStep.Kind kind = ray == Ray.NORAY ? ColourStep.Kind.NO_RAY : ColourStep.Kind.BACKGROUND;
       return List.of(new ColourStep(kind, 0, scene.background().getRGB()));
     }
+    if (shading instanceof Illumination) {
+      return List.of(new ColourStep(ColourStep.Kind.RADIANCE, 0, shading.argb(ray, hit)));
+    }
     final ColourStep object = new ColourStep(ColourStep.Kind.OBJECT, 0, Shading.PLAIN.argb(ray, hit));
-    if (!scene.facing()) {
+    if (shading != Shading.FACING) {
       return List.of(object);
     }
     final double cosine = Math.abs(hit.normalX() * ray.directionX() + hit.normalY() * ray.directionY()
         + hit.normalZ() * ray.directionZ());
-    return List.of(object, new ColourStep(ColourStep.Kind.COSINE, cosine, RenderJob.shading(scene).argb(ray, hit)));
+    return List.of(object, new ColourStep(ColourStep.Kind.COSINE, cosine, shading.argb(ray, hit)));
   }
 }

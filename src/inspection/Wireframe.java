@@ -55,7 +55,17 @@ public final class Wireframe {
     /** The ray of the pinned pixel, up to its hit. */
     RAY,
     /** The normal at the hit. */
-    NORMAL
+    NORMAL,
+    /** The shadow ray of a light that is not blocked. */
+    SHADOW_LIT,
+    /** The shadow ray of a blocked light, up to what blocks it. */
+    SHADOW_BLOCKED,
+    /** An ideally reflected ray. */
+    REFLECTED,
+    /** An ideally refracted ray. */
+    REFRACTED,
+    /** The ray that is selected in the inspector. */
+    SELECTED
   }
 
   /**

@@ -1,5 +1,6 @@
 package rendering;
 
+import primitives.Vector3D;
 import tracer.Hit;
 import tracer.Ray;
 
@@ -99,6 +100,11 @@ final class ViewedSurface {
   /** Whether the viewer is on the side of the surface's own normal. */
   boolean isSeenFromOutside() {
     return outside;
+  }
+
+  /** The shading normal on the viewer's side. */
+  Vector3D normal() {
+    return new Vector3D((float) nx, (float) ny, (float) nz);
   }
 
   double normalX() {

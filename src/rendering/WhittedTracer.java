@@ -47,7 +47,8 @@ final class WhittedTracer {
   private double[] weights = new double[3 * 16];
   private int end;
 
-  private LightObserver observer = LightObserver.NONE;
+  /** Reports to the observer; null without one, so that unobserved rays allocate nothing for it. */
+  private TraceReport report;
   /** The ray at hand, its depth and its weight. */
   private Ray ray;
   private int depth;
@@ -78,8 +79,8 @@ final class WhittedTracer {
   }
 
   /** Finds the radiance of a ray of depth 0 from its closest hit. */
-  void trace(final Ray first, final Hit hit, final LightObserver itsObserver) {
-    observer = itsObserver;
+  void trace(final Ray first, final Hit hit, final LightObserver observer) {
+    report = observer == LightObserver.NONE ? null : new TraceReport(observer, incidence, interaction, specular);
     r = 0;
     g = 0;
     b = 0;
@@ -98,7 +99,9 @@ final class WhittedTracer {
       shade(hit);
     } else {
       final double br = weightR * background.getR(), bg = weightG * background.getG(), bb = weightB * background.getB();
-      observer.background(ray, depth, br, bg, bb);
+      if (report != null) {
+        report.background(ray, depth, new RadianceRGB(br, bg, bb));
+      }
       add(br, bg, bb);
     }
   }
@@ -127,19 +130,24 @@ final class WhittedTracer {
 
   /** Adds what the lights bring to a hit of the ray at hand, and makes the rays that leave it. */
   private void shade(final Hit hit) {
-    observer.surface(ray, hit, depth, weightR, weightG, weightB);
     surface.set(ray, hit);
     final Material material = material(hit);
     interaction.setView(surface.normalX(), surface.normalY(), surface.normalZ(),
         -ray.directionX(), -ray.directionY(), -ray.directionZ(), surface.isSeenFromOutside());
+    if (report != null) {
+      report.surface(new LightObserver.Surface(ray, hit, depth, new RadianceRGB(weightR, weightG, weightB),
+          material, surface.normal(), surface.isSeenFromOutside()));
+    }
     if (material.scatters()) {
       for (int i = 0; i < lights.length; i++) {
         if (illuminate(lights[i], hit)) {
           addLight(i, material);
+        } else if (report != null) {
+          report.dark(lights[i], i, LightObserver.Outcome.OUTSIDE_FIELD);
         }
       }
     }
-    if (depth < recursionDepth && isSpecular(material)) {
+    if ((depth < recursionDepth || report != null) && isSpecular(material)) {
       await(specular.refractedR(), specular.refractedG(), specular.refractedB(), true);
       await(specular.reflectedR(), specular.reflectedG(), specular.reflectedB(), false);
     }
@@ -185,6 +193,9 @@ final class WhittedTracer {
     final double ci = interaction.cosineIn(), facing = surface.facing(wx, wy, wz);
     final boolean before = ci > 0 && facing > 0;
     if (!before && !(ci < 0 && facing < 0 && material.transmits())) {
+      if (report != null) {
+        report.dark(lights[number], number, LightObserver.Outcome.BEHIND);
+      }
       return;
     }
     final double k = Math.abs(ci);
@@ -195,10 +206,14 @@ final class WhittedTracer {
     if (lr > 0 || lg > 0 || lb > 0) {
       final Ray shadowRay = surface.towards(before, wx, wy, wz, incidence.distance());
       final boolean blocked = isBlocked(shadowRay, surface.distance() * BEFORE_LIGHT);
-      observer.light(lights[number], number, shadowRay, surface.distance(), blocked, lr, lg, lb);
+      if (report != null) {
+        report.light(lights[number], number, blocked, new RadianceRGB(lr, lg, lb), shadowRay, surface.distance());
+      }
       if (!blocked) {
         add(lr, lg, lb);
       }
+    } else if (report != null) {
+      report.dark(lights[number], number, LightObserver.Outcome.NOT_REFLECTED);
     }
   }
 
@@ -233,7 +248,11 @@ final class WhittedTracer {
   /** Puts the reflected or the refracted ray among those that wait, if its weight is worth it. */
   private void await(final double fr, final double fg, final double fb, final boolean refracted) {
     final double wr = weightR * fr, wg = weightG * fg, wb = weightB * fb;
-    if (!(Math.max(wr, Math.max(wg, wb)) >= LEAST_WEIGHT)) {
+    final boolean negligible = !(Math.max(wr, Math.max(wg, wb)) >= LEAST_WEIGHT);
+    if (negligible || depth >= recursionDepth) {
+      if (report != null) {
+        report.specular(Ray.NORAY, refracted, negligible ? LightObserver.Fate.NEGLIGIBLE : LightObserver.Fate.TOO_DEEP);
+      }
       return;
     }
     if (end == waiting.length) {
@@ -242,6 +261,9 @@ final class WhittedTracer {
       weights = Arrays.copyOf(weights, 6 * end);
     }
     waiting[end] = refracted ? surface.refracted(specular.ratio(), specular.refractedCosine()) : surface.reflected();
+    if (report != null) {
+      report.specular(waiting[end], refracted, LightObserver.Fate.FOLLOWED);
+    }
     depths[end] = depth + 1;
     weights[3 * end] = wr;
     weights[3 * end + 1] = wg;

@@ -6,6 +6,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -23,6 +24,7 @@ import javax.swing.filechooser.FileNameExtensionFilter;
 import arguments.Messages;
 import inspection.Inspection;
 import inspection.Intersection;
+import inspection.LightRays;
 import inspection.Wireframe;
 import tracer.Hit;
 import upnatray.PngFile;
@@ -176,8 +178,10 @@ final class Dialogs {
   void showRay(final RenderJob job, final Inspection inspection) {
     if (wireframeDialog != null && wireframeDialog.isVisible()) {
       final Hit hit = inspection.winner().map(Intersection::hit).orElse(Hit.NOHIT);
-      wireframe.setLines(Wireframe.of(job.scene(), job.image().getWidth(), job.image().getHeight(), inspection.pixel().ray(),
-          hit));
+      final List<Wireframe.Line> lines = new ArrayList<>(Wireframe.of(job.scene(), job.image().getWidth(),
+          job.image().getHeight(), inspection.pixel().ray(), hit));
+      inspection.light().ifPresent(light -> lines.addAll(LightRays.of(light.root(), hit.getT())));
+      wireframe.setLines(lines);
     }
   }
 

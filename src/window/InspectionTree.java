@@ -2,6 +2,7 @@ package window;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 
 import javax.swing.tree.DefaultMutableTreeNode;
 
@@ -14,6 +15,7 @@ import inspection.Intersection;
 import inspection.LocalRay;
 import inspection.Numbers;
 import inspection.PixelRay;
+import models.Object3D;
 import models.SphereTrace;
 import tracer.Hit;
 import tracer.Ray;
@@ -35,12 +37,18 @@ final class InspectionTree {
   private InspectionTree() {
   }
 
-  static DefaultMutableTreeNode of(final Inspection inspection) {
+  static DefaultMutableTreeNode of(final Inspection inspection, final Map<Object3D, String> names) {
     final PixelRay pixel = inspection.pixel();
     final DefaultMutableTreeNode root = node("inspect.pixel", pixel.m(), pixel.n(), pixel.W(), pixel.H());
     root.add(ray(pixel));
     root.add(intersections(inspection));
-    root.add(colour(inspection));
+    final DefaultMutableTreeNode colour = colour(inspection);
+    inspection.light().ifPresent(light -> new LightLines(light, names).addTo(colour));
+    if (inspection.light().isPresent()) {
+      root.insert(colour, 0);
+    } else {
+      root.add(colour);
+    }
     return root;
   }
 

@@ -6,7 +6,12 @@ import java.awt.Dimension;
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.MouseEvent;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -24,6 +29,9 @@ import arguments.Messages;
 import inspection.Inspection;
 import inspection.Intersection;
 import inspection.JUnitTestWriter;
+import inspection.LitPixelTestWriter;
+import inspection.Wireframe;
+import models.Object3D;
 
 /** Shows the inspection of the pinned pixel. */
 final class InspectorPanel extends JPanel {
@@ -44,7 +52,10 @@ final class InspectorPanel extends JPanel {
   };
   private final SphereTracePlot plot = new SphereTracePlot();
   private final JButton copy = new JButton(Messages.text("window.copyTest.text"));
+  private final PolarPlot polar = new PolarPlot();
+  private transient Consumer<List<Wireframe.Line>> rayListener = rays -> { };
   private transient Inspection inspection;
+  private transient Path file;
 
   InspectorPanel() {
     super(new BorderLayout(0, 4));
@@ -60,6 +71,7 @@ final class InspectorPanel extends JPanel {
     add(top, BorderLayout.NORTH);
     add(new JScrollPane(tree), BorderLayout.CENTER);
     final JPanel bottom = new JPanel(new BorderLayout(0, 4));
+    bottom.add(polar, BorderLayout.NORTH);
     bottom.add(plot, BorderLayout.CENTER);
     bottom.add(copy, BorderLayout.SOUTH);
     add(bottom, BorderLayout.SOUTH);
@@ -73,6 +85,7 @@ final class InspectorPanel extends JPanel {
   /** In a low window the plot leaves most of the height to the tree. */
   @Override
   public void doLayout() {
+    polar.setPreferredSize(new Dimension(200, Math.min(150, getHeight() / 3)));
     plot.setPreferredSize(new Dimension(200, Math.min(150, getHeight() / 3)));
     super.doLayout();
   }
@@ -88,7 +101,10 @@ final class InspectorPanel extends JPanel {
     plain.setOpenIcon(null);
     plain.setClosedIcon(null);
     tree.setCellRenderer(plain);
-    tree.addTreeSelectionListener(event -> showTrace());
+    tree.addTreeSelectionListener(event -> {
+      showTrace();
+      showLight();
+    });
   }
 
   /** Shows only how to begin. */
@@ -99,6 +115,8 @@ final class InspectorPanel extends JPanel {
     tree.setModel(new DefaultTreeModel(new DefaultMutableTreeNode()));
     copy.setEnabled(false);
     plot.setTrace(null);
+    polar.clear();
+    rayListener.accept(List.of());
   }
 
   /** Shows why there is no inspection. */
@@ -107,9 +125,10 @@ final class InspectorPanel extends JPanel {
     heading.setText(why);
   }
 
-  void show(final Inspection next) {
+  void show(final Inspection next, final Map<Object3D, String> names, final Path sceneFile) {
     inspection = next;
-    final DefaultMutableTreeNode root = InspectionTree.of(next);
+    file = sceneFile;
+    final DefaultMutableTreeNode root = InspectionTree.of(next, names);
     heading.setText(root.toString());
     swatch.setBackground(new Color(next.argb()));
     swatch.setToolTipText(InspectionTree.colour(next.argb()));
@@ -131,6 +150,17 @@ final class InspectorPanel extends JPanel {
             && (entry.intersection().winner() || !entry.intersection().violations().isEmpty())) {
           tree.expandPath(new TreePath(line.getPath()));
         }
+        expandLight(line);
+      }
+    }
+  }
+
+  /** Expands the surfaces in the tree of light, but not the numbers of each light there. */
+  private void expandLight(final DefaultMutableTreeNode line) {
+    if (line.getUserObject() instanceof LightLines.RayLine ray && ray.lamp().isEmpty()) {
+      tree.expandPath(new TreePath(line.getPath()));
+      for (int i = 0; i < line.getChildCount(); i++) {
+        expandLight((DefaultMutableTreeNode) line.getChildAt(i));
       }
     }
   }
@@ -156,8 +186,43 @@ final class InspectorPanel extends JPanel {
     copy.setEnabled(selected().isPresent());
   }
 
-  /** Puts a test of the selected intersection on the clipboard. */
+  /** Sets who is told of the rays that the selected line is about. */
+  void setRayListener(final Consumer<List<Wireframe.Line>> listener) {
+    rayListener = listener;
+  }
+
+  /** The line about light that is selected, or that contains the selected one. */
+  private Optional<LightLines.RayLine> selectedRay() {
+    final TreePath path = tree.getSelectionPath();
+    for (int i = path == null ? -1 : path.getPathCount() - 1; i >= 0; i--) {
+      if (((DefaultMutableTreeNode) path.getPathComponent(i)).getUserObject() instanceof LightLines.RayLine line) {
+        return Optional.of(line);
+      }
+    }
+    return Optional.empty();
+  }
+
+  private void showLight() {
+    final Optional<LightLines.RayLine> line = selectedRay();
+    rayListener.accept(line.map(LightLines.RayLine::rays).orElse(List.of()));
+    line.flatMap(LightLines.RayLine::lamp).filter(lamp -> lamp.contribution().distance() > 0)
+        .ifPresentOrElse(lamp -> polar.show(line.get().node().surface(), lamp.contribution()), polar::clear);
+    revalidate();
+  }
+
+  /** Whether an intersection, or something below it, is selected. */
+  private boolean isIntersectionSelected() {
+    return tree.getSelectionPath() != null && Arrays.stream(tree.getSelectionPath().getPath())
+        .anyMatch(node -> ((DefaultMutableTreeNode) node).getUserObject() instanceof InspectionTree.IntersectionLine);
+  }
+
+  /** Puts a test on the clipboard: of the selected intersection, or of the light of a lit pixel of a scene file. */
   void copyTest() {
+    if (inspection != null && inspection.light().isPresent() && file != null && !isIntersectionSelected()) {
+      Toolkit.getDefaultToolkit().getSystemClipboard()
+          .setContents(new StringSelection(LitPixelTestWriter.of(inspection, file)), null);
+      return;
+    }
     selected().ifPresent(intersection -> Toolkit.getDefaultToolkit().getSystemClipboard()
         .setContents(new StringSelection(JUnitTestWriter.of(inspection, intersection)), null));
   }

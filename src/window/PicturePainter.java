@@ -7,6 +7,7 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.TexturePaint;
+import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 
 /**
@@ -100,6 +101,23 @@ final class PicturePainter {
     g.setStroke(new BasicStroke(unit));
     g.setColor(Color.WHITE);
     g.drawRect(x, y, width, height);
+  }
+
+  /** Paints projected rays, thin where an object hides them; a white border makes them stand out on any colour. */
+  void paintRays(final RayOverlay rays) {
+    g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+    final AffineTransform toDevice = AffineTransform.getTranslateInstance(place.x, place.y);
+    toDevice.scale((double) place.width / W, (double) place.height / H);
+    for (final boolean border : new boolean[] {true, false}) {
+      for (final RayOverlay.Part part : rays.parts()) {
+        if (part.isVisible() || !border) {
+          g.setColor(border ? Color.WHITE : part.colour());
+          g.setStroke(new BasicStroke(unit * (border ? 4 : part.isVisible() ? 2.2f : 0.8f)));
+          g.draw(part.path().createTransformedShape(toDevice));
+        }
+      }
+    }
+    g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
   }
 
   /** First device pixel of a column of the picture. */

@@ -32,6 +32,7 @@ final class PictureView extends Drawing {
   private final transient PixelListener listener;
   private transient BufferedImage picture = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB);
   private transient BufferedImage overlay;
+  private transient RayOverlay rays = RayOverlay.NONE;
   private transient BufferedImage buffer;
   private transient Zoom zoom = new Zoom(1, 0, 0);
   private boolean fitting = true;
@@ -74,6 +75,7 @@ final class PictureView extends Drawing {
     picture = next;
     hasPicture = true;
     overlay = null;
+    rays = RayOverlay.NONE;
     if (!sameSize) {
       fitting = true;
       pinned = null;
@@ -103,6 +105,12 @@ final class PictureView extends Drawing {
   /** Sets an image to be shown over the picture, such as the mask of a comparison; null for none. */
   void setOverlay(final BufferedImage mask) {
     overlay = mask;
+    repaint();
+  }
+
+  /** Shows projected rays over the picture. */
+  void setRays(final RayOverlay next) {
+    rays = next;
     repaint();
   }
 
@@ -246,6 +254,7 @@ final class PictureView extends Drawing {
         painter.paint(overlay, false);
       }
       painter.paintGrid();
+      painter.paintRays(rays);
       if (pinned != null) {
         painter.paintFrame(pinned);
       }

@@ -49,7 +49,7 @@ final class PixelInspections {
   private void succeeded(final Object request, final RenderJob job, final Inspection inspection) {
     if (pending == request) {
       pending = null;
-      window.inspector().show(inspection);
+      window.inspector().show(inspection, job.scene().names(), window.session().file());
       window.dialogs().showRay(job, inspection);
     }
   }

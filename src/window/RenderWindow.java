@@ -12,6 +12,7 @@ import java.awt.Toolkit;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
@@ -19,6 +20,7 @@ import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 
 import arguments.Messages;
+import inspection.Wireframe;
 import models.Group3D;
 import rendering.RenderPass;
 import scenes.SceneFile;
@@ -43,6 +45,7 @@ public final class RenderWindow {
   private final Command cancel = Command.of("cancel", "ESCAPE", presenter::cancel);
   private final StatusBar status = new StatusBar(cancel);
   private final Dialogs dialogs = new Dialogs(this);
+  private final LatestOnlyExecutor projecting = new LatestOnlyExecutor("rays");
   private final Session session;
   private final ToolBar toolBar;
   private final MenuBar menus;
@@ -52,6 +55,7 @@ public final class RenderWindow {
     this.session = new Session(presenter, pass, threads);
     this.toolBar = new ToolBar(this);
     this.menus = new MenuBar(this);
+    inspector.setRayListener(this::showRays);
     cancel.setEnabled(false);
     render.setEnabled(false);
     layOut();
@@ -161,6 +165,20 @@ public final class RenderWindow {
     inspections.discard();
     view.unpin();
     inspector.clear();
+  }
+
+  /** Shows rays in the picture and in the wireframe view. */
+  private void showRays(final List<Wireframe.Line> rays) {
+    dialogs.wireframe().setSelected(rays);
+    if (job() == null || rays.isEmpty()) {
+      projecting.execute(() -> SwingUtilities.invokeLater(() -> view.setRays(RayOverlay.NONE)));
+      return;
+    }
+    final RenderJob shown = job();
+    projecting.execute(() -> {
+      final RayOverlay overlay = RayOverlay.of(rays, shown.scene(), shown.image().getWidth(), shown.image().getHeight());
+      SwingUtilities.invokeLater(() -> view.setRays(shown == job() ? overlay : RayOverlay.NONE));
+    });
   }
 
   void copyPicture() {

@@ -13,7 +13,7 @@ import java.awt.event.MouseWheelEvent;
 import java.awt.geom.Line2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
-import java.util.Map;
+import java.util.stream.Stream;
 
 import javax.swing.SwingUtilities;
 
@@ -32,13 +32,9 @@ final class WireframeView extends Drawing {
 
   private static final double DEGREES_PER_UNIT = 0.5;
   private static final double NOTCH = 1.15;
-  private static final Map<Wireframe.Kind, Color> COLOURS = Map.of(Wireframe.Kind.AXIS_X, new Color(0xd03030),
-      Wireframe.Kind.AXIS_Y, new Color(0x2f9e44), Wireframe.Kind.AXIS_Z, new Color(0x3060d0),
-      Wireframe.Kind.WINDOW, new Color(0xe08a00), Wireframe.Kind.GRID, new Color(0xd9b477),
-      Wireframe.Kind.FRUSTUM, new Color(0xb0b0b0), Wireframe.Kind.RAY, new Color(0xd000b0),
-      Wireframe.Kind.NORMAL, new Color(0x00a0b0));
 
   private transient List<Wireframe.Line> lines = List.of();
+  private transient List<Wireframe.Line> selected = List.of();
   private double yaw = 35;
   private double pitch = 25;
   private double zoom = 1;
@@ -67,6 +63,12 @@ final class WireframeView extends Drawing {
     centre = box.getMin();
     centre.interpolate(box.getMax(), 0.5f);
     radius = centre.distance(box.getMax());
+    repaint();
+  }
+
+  /** Sets rays to be drawn over the others, such as those selected in the inspector. */
+  void setSelected(final List<Wireframe.Line> next) {
+    selected = next.stream().map(line -> new Wireframe.Line(Wireframe.Kind.SELECTED, line.from(), line.to(), 0)).toList();
     repaint();
   }
 
@@ -128,7 +130,7 @@ final class WireframeView extends Drawing {
   private void paintLines(final Graphics2D g) {
     final double k = scale();
     final double left = 0.5 * getWidth() + moveX - k * across(centre), top = 0.5 * getHeight() + moveY + k * up(centre);
-    for (final Wireframe.Line line : lines) {
+    for (final Wireframe.Line line : Stream.concat(lines.stream(), selected.stream()).toList()) {
       final double x = left + k * across(line.to()), y = top - k * up(line.to());
       g.setColor(colour(line));
       g.setStroke(stroke(line.kind()));
@@ -154,8 +156,8 @@ final class WireframeView extends Drawing {
 
   /** Boxes have the colour of their object, darkened if it would be invisible on white. */
   private static Color colour(final Wireframe.Line line) {
-    if (COLOURS.containsKey(line.kind())) {
-      return COLOURS.get(line.kind());
+    if (WireframeColours.has(line.kind())) {
+      return WireframeColours.of(line.kind());
     }
     final Color own = line.argb() == 0 ? Color.GRAY : new Color(line.argb());
     return own.getRed() + own.getGreen() + own.getBlue() > 600 ? own.darker() : own;
@@ -165,6 +167,9 @@ final class WireframeView extends Drawing {
     return switch (kind) {
       case GRID -> new BasicStroke(0.5f);
       case FRUSTUM -> new BasicStroke(0.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1, new float[] {5, 4}, 0);
+      case SHADOW_BLOCKED -> new BasicStroke(1.4f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1, new float[] {2, 3}, 0);
+      case SHADOW_LIT, REFLECTED, REFRACTED -> new BasicStroke(1.4f);
+      case SELECTED -> new BasicStroke(3);
       case BOX, AROUND, PLANE -> new BasicStroke(0.9f);
       default -> new BasicStroke(2);
     };

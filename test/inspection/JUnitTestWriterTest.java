@@ -28,6 +28,7 @@ import models.Object3D;
 import models.Sphere;
 import primitives.Point3D;
 import scenes.SceneFile;
+import scenes.SceneReader;
 import tracer.Hit;
 import tracer.Ray;
 
@@ -103,7 +104,51 @@ class JUnitTestWriterTest {
     assertTrue(thrown.getCause() instanceof AssertionFailedError);
   }
 
-  /** A shape that does not tell its arguments. */
+  private static final String LIT = """
+      <image name="lit">
+        <raster><W>40</W><H>30</H><backgroundColor>0.2 0.3 0.6</backgroundColor></raster>
+        <rayTracer><wblock>32</wblock><hblock>32</hblock><showProgress>true</showProgress></rayTracer>
+        <engine><illumination>true</illumination><recursionDepth>3</recursionDepth></engine>
+        <camera><position>0 2 6</position><lookAt>0 0 0</lookAt><up>0 1 0</up></camera>
+        <projection type="perspective"><fov>50</fov><aspect>1.33333</aspect></projection>
+        <lights>
+          <light type="omnidirectional"><position>3 5 4</position><spectrum>0.4 0.3 0.3</spectrum><power>90</power></light>
+        </lights>
+        <materials>
+          <brdf id="matte" type="Phong-Lafortune"><diffuseReflectance>0.5 0.6 0.7</diffuseReflectance></brdf>
+          <brdf id="mirror" type="Ideal-Conductor"><conductiveReflectance>0.9 0.8 0.7</conductiveReflectance></brdf>
+        </materials>
+        <models><model id="ball" type="sphere"><radius>1</radius></model></models>
+        <scene>
+          <object><modelId>ball</modelId><materialId>matte</materialId><translation>-1.1 0 0</translation></object>
+          <object><modelId>ball</modelId><materialId>mirror</materialId><translation>1.1 0 0</translation></object>
+        </scene>
+      </image>
+      """;
+
+  @Test
+  void theTestOfALitPixelCompilesAndPasses() throws Exception {
+    final Path file = Files.writeString(folder.resolve("a \"lit\" scene.xml"), LIT);
+    final SceneFile scene = SceneReader.read(file).scene().orElseThrow();
+    final Inspector inspector = new Inspector(scene, 40, 30);
+    final Set<String> methods = new LinkedHashSet<>();
+    for (int m = 6; m < 34; m += 3) {
+      final Inspection inspection = inspector.inspect(m, 14);
+      if (inspection.light().isPresent()) {
+        methods.add(LitPixelTestWriter.of(inspection, file));
+      }
+    }
+    assertTrue(methods.size() > 5, methods::toString);
+    assertEquals(methods.size(), run(compiled(methods)));
+    final String bright = methods.stream().filter(text -> !text.contains("assertEquals(0.0,")).findFirst().orElseThrow();
+    final Object wrong = compiled(List.of(bright.replaceAll("scene.lights\\(\\)", "new lights.LightGroup()")));
+    final Exception thrown = assertThrows(InvocationTargetException.class, () -> run(wrong));
+    assertTrue(thrown.getCause() instanceof AssertionFailedError);
+    assertThrows(IllegalArgumentException.class, () -> LitPixelTestWriter.of(new Inspector(
+        SampleScenes.of(SampleScenes.perspective(), true), W, H).inspect(0, 0), file));
+  }
+
+  /** A shape without constructor arguments. */
   private static final class Secret extends Object3D {
 
     Secret() {

@@ -188,8 +188,8 @@ class IlluminationTest {
     final Ray ray = new Ray(new Point3D(0, 0.5f, 0), new Vector3D(0.01f, -1, 0));
     new Illumination(scene, new LightGroup(), 10_000, SKY).radiance(ray, scene.intersectionWith(ray), new LightObserver() {
       @Override
-      public void surface(final Ray its, final Hit hit, final int depth, final double r, final double g, final double b) {
-        assertEquals(count[0]++, depth);
+      public void surface(final LightObserver.Surface surface) {
+        assertEquals(count[0]++, surface.depth());
       }
     });
     assertEquals(10_001, count[0]);

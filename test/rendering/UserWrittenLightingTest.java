@@ -162,7 +162,7 @@ class UserWrittenLightingTest {
         if (hit.hits()) {
           new Illumination(scene, new LightGroup(), 1, Color.WHITE).radiance(ray, hit, new LightObserver() {
             @Override
-            public void background(final Ray its, final int depth, final double r, final double g, final double b) {
+            public void background(final Ray its, final int depth, final RadianceRGB radiance) {
               below[its.directionY() < 0 ? 1 : 0]++;
               assertEquals(Math.signum(its.directionY()), Math.signum(its.startY()), () -> its + "; " + numbers);
             }
