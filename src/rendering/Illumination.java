@@ -1,5 +1,6 @@
 package rendering;
 
+import static arguments.Arguments.index;
 import static arguments.Arguments.notNull;
 import static arguments.Arguments.within;
 import static arguments.Arguments.wrong;
@@ -84,11 +85,29 @@ public final class Illumination implements Shading {
     return new Illumination(scene, lights, recursionDepth, background, exposure);
   }
 
+  /**
+   * What one of the lights brings: the light of the scene is the sum of those of all its lights, and of what rays that leave
+   * the scene show of the background.
+   *
+   * @param number number of the light, from 0
+   * @return the illumination by this light alone, before a black background
+   * @throws IllegalArgumentException if there is no such light
+   */
+  public Illumination ofLight(final int number) {
+    return new Illumination(scene, List.of(lights.get(index("number", lights.size(), number))), recursionDepth, Color.BLACK,
+        stops);
+  }
+
   @Override
   public int argb(final Ray ray, final Hit hit) {
     final WhittedTracer tracer = tracers.get();
     tracer.trace(ray, hit, LightObserver.NONE);
-    return SrgbEncoding.argb(gain * tracer.r(), gain * tracer.g(), gain * tracer.b());
+    return encoded(tracer.r(), tracer.g(), tracer.b());
+  }
+
+  /** The pixel of a radiance. */
+  int encoded(final double r, final double g, final double b) {
+    return SrgbEncoding.argb(gain * r, gain * g, gain * b);
   }
 
   /**
@@ -115,7 +134,7 @@ public final class Illumination implements Shading {
    */
   public int argb(final RadianceRGB radiance) {
     notNull("radiance", radiance);
-    return SrgbEncoding.argb(gain * radiance.getR(), gain * radiance.getG(), gain * radiance.getB());
+    return encoded(radiance.getR(), radiance.getG(), radiance.getB());
   }
 
   /**

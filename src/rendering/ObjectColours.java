@@ -41,7 +41,7 @@ public final class ObjectColours implements Shading {
     }
   }
 
-  private static Color color(final int number) {
+  static Color color(final int number) {
     return Color.getHSBColor(number * GOLDEN_RATIO, 0.45f + 0.1f * (number % 5), 0.95f - 0.12f * (number % 4));
   }
 

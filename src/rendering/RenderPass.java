@@ -17,7 +17,9 @@ public enum RenderPass {
   /** The object: a colour for each of the scene. */
   OBJECT,
   /** What it costs to find the hit, or that there is none: see {@link models.Cost} and {@link ColourScale#ofCost}. */
-  COST;
+  COST,
+  /** The light: a colour for each light of the scene, mixed by what it brings; see {@link LightColours}. */
+  LIGHT;
 
   /**
    * The name of the view on the command line.

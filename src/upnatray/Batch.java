@@ -10,6 +10,7 @@ import java.util.Set;
 
 import arguments.Messages;
 import diagnostics.Problem;
+import rendering.RenderPass;
 import scenes.ReadResult;
 import scenes.SceneFile;
 import scenes.SceneReader;
@@ -23,6 +24,9 @@ final class Batch {
   private static final int AT_FAULT = 1;
   private static final int REFUSED = 2;
   private static final int INTERRUPTED = 130;
+
+  /** In place of the number of a light: the picture of all. */
+  private static final int ALL = -1;
 
   private final Options options;
   private final PrintStream out;
@@ -106,7 +110,6 @@ final class Batch {
         return isSound(file, reading) ? 0 : AT_FAULT;
       }
       if (reading.scene().isPresent()) {
-        PngFile.check(target, reading.scene().get().meshes());
         render(file, reading.scene().get(), target);
         return 0;
       }
@@ -138,9 +141,25 @@ final class Batch {
     return errors == 0;
   }
 
+  /** Renders what is asked for; where that is the light, a picture of each light follows. */
   private void render(final Path file, final SceneFile scene, final Path target) throws SaveException {
-    final int[] size = options.size(scene.width(), scene.height());
-    final RenderJob job = job(file, scene, size[0], size[1]);
+    final int lights = options.view() == RenderPass.LIGHT ? scene.lights().getLights().size() : 0;
+    final Set<Path> inputs = new HashSet<>(scene.meshes());
+    inputs.add(file);
+    for (int light = ALL; light < lights; light++) {
+      PngFile.check(target(target, light), inputs);
+    }
+    for (int light = ALL; light < lights && !interruption.requested(); light++) {
+      render(file, job(file, scene, light), target(target, light));
+    }
+  }
+
+  private static Path target(final Path target, final int light) {
+    final String name = target.getFileName().toString().replaceFirst("(?i)\\.png$", "");
+    return light == ALL ? target : target.resolveSibling(name + "-light" + (light + 1) + ".png");
+  }
+
+  private void render(final Path file, final RenderJob job, final Path target) throws SaveException {
     final Rendition rendition = new Rendition(job, file, target, interruption);
     if (rendition.render() && !interruption.requested()) {
       interruption.save(rendition.image(), target);
@@ -151,13 +170,20 @@ final class Batch {
     }
   }
 
-  /** The job of rendering a scene; the message for an image that cannot be held gives its size in memory. */
-  private RenderJob job(final Path file, final SceneFile scene, final int W, final int H) throws SaveException {
+  /**
+   * The job of rendering a scene; the message for an image that cannot be held gives its size in memory.
+   *
+   * @param light number of the light whose picture it is, or ALL
+   */
+  private RenderJob job(final Path file, final SceneFile scene, final int light) throws SaveException {
+    final int[] size = options.size(scene.width(), scene.height());
+    final int W = size[0], H = size[1];
+    final int threads = options.threads() > 0 ? options.threads() : Runtime.getRuntime().availableProcessors();
     final long pixels = (long) W * H;
     final long megabytes = (pixels * Integer.BYTES >> 20) + 1;
     try {
-      return new RenderJob(scene, options.view(), W, H, options.threads() > 0 ? options.threads()
-          : Runtime.getRuntime().availableProcessors());
+      return light == ALL ? new RenderJob(scene, options.view(), W, H, threads)
+          : RenderJob.ofLight(scene, light, W, H, threads);
     } catch (final IllegalArgumentException tooLarge) {
       throw new SaveException("imageTooLarge", file, tooLarge.getMessage(), tooLarge);
     } catch (final OutOfMemoryError full) {

@@ -9,6 +9,7 @@ import java.util.concurrent.atomic.AtomicLong;
 
 import rendering.ColourScale;
 import rendering.Illumination;
+import rendering.LightColours;
 import rendering.NumberPass;
 import rendering.ObjectColours;
 import rendering.Progress;
@@ -28,6 +29,8 @@ public final class RenderJob {
   private final SceneFile scene;
   private final RenderPass view;
   private final int threads;
+  /** What the picture shows of each hit. */
+  private final Shading shading;
   private final Image image;
   /** The numbers of a view of numbers; null for the others. */
   private final NumberPass numbers;
@@ -49,8 +52,14 @@ public final class RenderJob {
    * @throws IllegalArgumentException if an argument is null or less than 1, or if the picture is too large
    */
   public RenderJob(final SceneFile scene, final RenderPass view, final int W, final int H, final int threads) {
-    this.scene = notNull("scene", scene);
-    this.view = notNull("view", view);
+    this(notNull("scene", scene), notNull("view", view), shading(scene, view), W, H, threads);
+  }
+
+  private RenderJob(final SceneFile scene, final RenderPass view, final Shading shading, final int W, final int H,
+      final int threads) {
+    this.scene = scene;
+    this.view = view;
+    this.shading = shading;
     this.threads = positive("threads", threads);
     this.image = new Image(W, H, view == RenderPass.COLOUR ? scene.background() : NOTHING);
     this.numbers = view == RenderPass.DEPTH ? NumberPass.ofDepth(W * H)
@@ -75,7 +84,7 @@ public final class RenderJob {
       return watcher.tileDone(x, y, width, height) && !cancelled;
     };
     try {
-      final boolean completed = render(new RenderSettings(threads, shading(), progress));
+      final boolean completed = render(new RenderSettings(threads, shading, progress));
       scale().ifPresent(this::recolour);
       return completed;
     } finally {
@@ -89,14 +98,37 @@ public final class RenderJob {
         Thread::new);
   }
 
-  private Shading shading() {
+  private static Shading shading(final SceneFile scene, final RenderPass view) {
     return switch (view) {
       case COLOUR -> shading(scene);
       case NORMALS -> (ray, hit) -> 0xff << 24 | channel(hit.normalX()) << 16 | channel(hit.normalY()) << 8
           | channel(hit.normalZ());
       case OBJECT -> new ObjectColours(scene.objects());
       case DEPTH, COST -> Shading.PLAIN;
+      case LIGHT -> scene.isLit() ? new LightColours(illumination(scene)) : (ray, hit) -> Color.BLACK.getRGB();
     };
+  }
+
+  /**
+   * The picture of one light of a lit scene: what it brings to each pixel. In linear light these add up to the picture of
+   * the scene, but for the background and what mirrors and glass show of it.
+   *
+   * @param scene the scene, which must not change meanwhile
+   * @param light number of the light, from 0
+   * @param W width in pixels, at least 1
+   * @param H height in pixels, at least 1
+   * @param threads number of threads, at least 1
+   * @return the job
+   * @throws IllegalArgumentException if the scene is null, if it has no such light, if a number is less than 1, or if the
+   *     picture is too large
+   */
+  public static RenderJob ofLight(final SceneFile scene, final int light, final int W, final int H, final int threads) {
+    return new RenderJob(notNull("scene", scene), RenderPass.LIGHT, illumination(scene).ofLight(light), W, H, threads);
+  }
+
+  private static Illumination illumination(final SceneFile scene) {
+    return new Illumination(scene.objects(), scene.lights(), scene.recursionDepth(), scene.background())
+        .withExposure(scene.exposure());
   }
 
   /**
@@ -108,8 +140,7 @@ public final class RenderJob {
    */
   public static Shading shading(final SceneFile scene) {
     if (notNull("scene", scene).isLit()) {
-      return new Illumination(scene.objects(), scene.lights(), scene.recursionDepth(), scene.background())
-          .withExposure(scene.exposure());
+      return illumination(scene);
     }
     return scene.facing() ? Shading.FACING : Shading.PLAIN;
   }

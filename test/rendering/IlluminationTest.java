@@ -12,7 +12,6 @@ import java.util.List;
 import javax.vecmath.Vector3f;
 
 import lights.Directional;
-import lights.Light;
 import lights.LightGroup;
 import lights.Omnidirectional;
 import lights.Spot;
@@ -221,25 +220,27 @@ class IlluminationTest {
     }
   }
 
+  /** The pictures of single lights, and what is seen of the sky, add up to the picture. */
   @Test
-  void radianceIsTheSumOfThatOfEachLight() {
+  void radianceIsTheSumOfThePassesOfTheLights() {
     final Group3D scene = stillLife();
-    final RandomNumbers numbers = new RandomNumbers("sum of lights");
+    final Illumination whole = new Illumination(scene, threeLights(), 4, SKY);
+    final Illumination dark = new Illumination(scene, new LightGroup(), 4, SKY);
+    final RandomNumbers numbers = new RandomNumbers("light passes");
     for (int i = 0; i < 300; i++) {
-      final Point3D from = new Point3D(1, 3, 9), to = numbers.pointAbout(new Point3D(0, 0.5f, 0), 3);
-      if (scene.intersectionWith(new Ray(from, to)).hits()) {
-        final RadianceRGB all = radiance(scene, threeLights(), 4, from, to);
-        RadianceRGB sum = radiance(scene, new LightGroup(), 4, from, to);
-        final RadianceRGB sky = radiance(scene, new LightGroup(), 4, from, to);
-        double r = sky.getR();
-        for (final Light light : threeLights().getLights()) {
-          final RadianceRGB one = radiance(scene, new LightGroup(light), 4, from, to);
-          r += one.getR() - sky.getR();
-          sum = sum.plus(one);
+      final Ray ray = new Ray(new Point3D(1, 3, 9), numbers.pointAbout(new Point3D(0, 0.5f, 0), 3));
+      final Hit hit = scene.intersectionWith(ray);
+      if (hit.hits()) {
+        RadianceRGB sum = dark.radiance(ray, hit, LightObserver.NONE);
+        for (int light = 0; light < 3; light++) {
+          sum = sum.plus(whole.ofLight(light).radiance(ray, hit, LightObserver.NONE));
         }
-        assertEquals(all.getR(), r, 1e-12 + 1e-9 * sum.getR(), () -> to + "; " + numbers);
+        final RadianceRGB all = whole.radiance(ray, hit, LightObserver.NONE);
+        assertEquals(all.getR(), sum.getR(), 1e-12 * all.getR(), () -> ray + "; " + numbers);
+        assertEquals(all.getB(), sum.getB(), 1e-12 * all.getB(), () -> ray + "; " + numbers);
       }
     }
+    assertThrows(IllegalArgumentException.class, () -> whole.ofLight(3));
   }
 
   @Test
