@@ -6,7 +6,7 @@ import java.awt.Color;
 import java.util.List;
 import java.util.stream.IntStream;
 
-import lights.Light;
+import radiometry.RadianceRGB;
 import radiometry.ReflectanceRGB;
 import tracer.Hit;
 import tracer.Ray;
@@ -50,11 +50,11 @@ public final class LightColours implements Shading {
     final double[] sum = new double[3];
     illumination.radiance(ray, hit, new LightObserver() {
       @Override
-      public void light(final Light light, final int number, final Ray shadowRay, final double distance,
-          final boolean isBlocked, final double r, final double g, final double b) {
-        if (!isBlocked) {
-          final double luminance = LUMINANCE[0] * r + LUMINANCE[1] * g + LUMINANCE[2] * b;
-          final ReflectanceRGB color = colours.get(number);
+      public void light(final Contribution contribution) {
+        if (contribution.outcome() == Outcome.LIT) {
+          final RadianceRGB its = contribution.radiance();
+          final double luminance = LUMINANCE[0] * its.getR() + LUMINANCE[1] * its.getG() + LUMINANCE[2] * its.getB();
+          final ReflectanceRGB color = colours.get(contribution.number());
           sum[0] += luminance * color.getR();
           sum[1] += luminance * color.getG();
           sum[2] += luminance * color.getB();
