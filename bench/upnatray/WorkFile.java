@@ -10,6 +10,7 @@ import java.util.StringTokenizer;
 
 import meshes.ObjMesh;
 import meshes.ObjReader;
+import models.Appearance;
 import models.Ellipsoid;
 import models.Group3D;
 import models.Object3D;
@@ -135,7 +136,7 @@ public final class WorkFile {
   public Group3D scene() {
     final Group3D scene = new Group3D();
     if (mesh != null) {
-      scene.addObject(TriangularMesh.of(mesh.flat(), meshColor));
+      scene.addObject(TriangularMesh.of(mesh.flat(), Appearance.of(meshColor)));
       mesh = null;
     }
     objects.forEach(scene::addObject);

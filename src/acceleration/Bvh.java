@@ -197,12 +197,23 @@ public final class Bvh {
    * @param leaves whoever owns the primitives
    */
   public void closest(final TileFrustum frustum, final Leaves leaves) {
+    closest(frustum, Double.POSITIVE_INFINITY, leaves);
+  }
+
+  /**
+   * Visits the leaves that the rays of a tile may meet before a distance.
+   *
+   * @param frustum the frustum of the tile, which must be fitted
+   * @param limit distance from the frustum's origin, along its axis, beyond which nothing matters from the beginning
+   * @param leaves whoever owns the primitives
+   */
+  public void closest(final TileFrustum frustum, final double limit, final Leaves leaves) {
     if (isEmpty()) {
       return;
     }
     final float[] outer = frustum.prepared();
     if (frustum.prepare(whole)) {
-      visitLeaves(frustum, leaves);
+      visitLeaves(frustum, limit, leaves);
     } else {
       leaves.visit(0, size);
     }
@@ -211,10 +222,10 @@ public final class Bvh {
     }
   }
 
-  private void visitLeaves(final TileFrustum frustum, final Leaves leaves) {
+  private void visitLeaves(final TileFrustum frustum, final double limit, final Leaves leaves) {
     final int[] stack = new int[depth + 1];
     int top = 0, node = root;
-    float farthest = Float.POSITIVE_INFINITY;
+    float farthest = Math.nextUp((float) limit);
     while (true) {
       if (node < 0) {
         farthest = Math.nextUp((float) visit(node, leaves));

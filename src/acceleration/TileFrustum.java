@@ -29,6 +29,9 @@ public final class TileFrustum {
    */
   private static final double SHALLOW = 1e-8;
 
+  /** Multiples of the displacement from which on a displaced line is taken for one through the origin. */
+  static final double STRAIGHT = 1e6;
+
   /** Sums below this cannot overflow a float. */
   private static final double HUGE = 1e37;
 
@@ -42,6 +45,9 @@ public final class TileFrustum {
   private final SidePlane above = new SidePlane();
 
   private boolean fitted;
+
+  /** Whether rays may lie between columns and rows. */
+  private boolean between;
   private double originX;
   private double originY;
   private double originZ;
@@ -80,6 +86,12 @@ public final class TileFrustum {
   private double rowMargin;
   private int columns;
   private int rows;
+
+  /** What was found by the last projection, with the margin, between pixels. */
+  private double leastColumn;
+  private double mostColumn;
+  private double leastRow;
+  private double mostRow;
   private int firstColumn;
   private int lastColumn;
   private int firstRow;
@@ -93,27 +105,43 @@ public final class TileFrustum {
 
   /** Encloses the rays of a tile, if they allow it. */
   void fit(final RayTile tile) {
-    enclose(tile, measured.fit(tile, grid));
+    final boolean possible = measured.fit(tile, grid);
+    if (possible && !grid.pyramid) {
+      findStarts(tile);
+    }
+    enclose(possible, tile.columns(), tile.rows());
   }
 
   /** Encloses the rays that the tile made of a pencil and the centres of its pixels. */
   void fit(final RayTile tile, final Pencil pencil, final double[] a, final double[] b) {
-    enclose(tile, derived.derive(pencil, tile, a, b, grid) || measured.fit(tile, grid));
+    enclose(derived.derive(pencil, tile, a, b, grid) || measured.fit(tile, grid), tile.columns(), tile.rows());
   }
 
-  private void enclose(final RayTile tile, final boolean possible) {
+  /** The grid to be found by whoever encloses rays of another kind. */
+  TileGrid grid() {
+    return grid;
+  }
+
+  /** Takes the grid of rays that may lie between columns and rows, of so many of each, if it was possible to find it. */
+  void encloseRaster(final boolean possible, final int size) {
+    enclose(possible, size, size);
+    between = true;
+  }
+
+  private void enclose(final boolean possible, final int itsColumns, final int itsRows) {
     fitted = possible;
+    between = false;
     prepared = null;
-    least = 0;
+    least = grid.pyramid ? STRAIGHT * grid.displacement : 0;
     if (fitted) {
-      columns = tile.columns();
-      rows = tile.rows();
-      takeProjection(tile);
+      columns = itsColumns;
+      rows = itsRows;
+      takeProjection();
       takePlanes();
     }
   }
 
-  private void takeProjection(final RayTile tile) {
+  private void takeProjection() {
     final TileGrid g = grid;
     originX = g.originX;
     originY = g.originY;
@@ -135,7 +163,8 @@ public final class TileFrustum {
     axisX = g.axisX;
     axisY = g.axisY;
     axisZ = g.axisZ;
-    findStarts(tile);
+    mostAhead = grid.ahead;
+    mostBehind = grid.behind + grid.displacement;
     floatAxisX = (float) axisX;
     floatAxisY = (float) axisY;
     floatAxisZ = (float) axisZ;
@@ -146,24 +175,27 @@ public final class TileFrustum {
 
   /** Finds how far before and behind the origin, along the axis, rays start: the starts of a prism may lie on a slant. */
   private void findStarts(final RayTile tile) {
-    mostAhead = 0;
-    mostBehind = 0;
-    for (int i = 0; !grid.pyramid && i < RayTile.SIZE * tile.rows(); i++) {
+    for (int i = 0; i < RayTile.SIZE * tile.rows(); i++) {
       if (tile.isPresent(i)) {
-        final double ahead = (tile.startX(i) - originX) * axisX + (tile.startY(i) - originY) * axisY
-            + (tile.startZ(i) - originZ) * axisZ;
-        mostAhead = Math.max(mostAhead, ahead);
-        mostBehind = Math.max(mostBehind, -ahead);
+        final double ahead = (tile.startX(i) - grid.originX) * grid.axisX + (tile.startY(i) - grid.originY) * grid.axisY
+            + (tile.startZ(i) - grid.originZ) * grid.axisZ;
+        grid.ahead = Math.max(grid.ahead, ahead);
+        grid.behind = Math.max(grid.behind, -ahead);
       }
     }
   }
 
   private void takePlanes() {
     final double firstC = columnMargin, lastC = columns - 1 + columnMargin, firstR = rowMargin, lastR = rows - 1 + rowMargin;
-    left.set(columnX + firstC * depthX, columnY + firstC * depthY, columnZ + firstC * depthZ, columnAt + firstC * depthAt);
-    right.set(lastC * depthX - columnX, lastC * depthY - columnY, lastC * depthZ - columnZ, lastC * depthAt - columnAt);
-    below.set(rowX + firstR * depthX, rowY + firstR * depthY, rowZ + firstR * depthZ, rowAt + firstR * depthAt);
-    above.set(lastR * depthX - rowX, lastR * depthY - rowY, lastR * depthZ - rowZ, lastR * depthAt - rowAt);
+    set(left, columnX + firstC * depthX, columnY + firstC * depthY, columnZ + firstC * depthZ, columnAt + firstC * depthAt);
+    set(right, lastC * depthX - columnX, lastC * depthY - columnY, lastC * depthZ - columnZ, lastC * depthAt - columnAt);
+    set(below, rowX + firstR * depthX, rowY + firstR * depthY, rowZ + firstR * depthZ, rowAt + firstR * depthAt);
+    set(above, lastR * depthX - rowX, lastR * depthY - rowY, lastR * depthZ - rowZ, lastR * depthAt - rowAt);
+  }
+
+  /** A side that lines which pass the origin by, at the displacement, do not leave either. */
+  private void set(final SidePlane side, final double x, final double y, final double z, final double at) {
+    side.set(x, y, z, at + grid.displacement * Math.sqrt(x * x + y * y + z * z));
   }
 
   /**
@@ -189,7 +221,7 @@ public final class TileFrustum {
     final double z = most(whole[2], whole[5], originZ);
     final double greatest = Math.max(Math.max(left.loosen(x, y, z), right.loosen(x, y, z)),
         Math.max(below.loosen(x, y, z), above.loosen(x, y, z)));
-    least = grid.pyramid ? SHALLOW * greatest : 0;
+    least = grid.pyramid ? Math.max(SHALLOW * greatest, STRAIGHT * grid.displacement) : 0;
     nearLoose = (float) (-mostAhead - SidePlane.ROUNDING * (x + y + z + mostAhead));
     farLoose = (float) (mostBehind + SidePlane.ROUNDING * (x + y + z + mostBehind));
     return greatest < HUGE && x + y + z + mostAhead + mostBehind < HUGE;
@@ -236,8 +268,8 @@ public final class TileFrustum {
     final double z = 0.5 * ((double) box.minZ() + box.maxZ()) - originZ, hz = 0.5 * ((double) box.maxZ() - box.minZ());
     final double depth = depthX * x + depthY * y + depthZ * z + depthAt;
     final double reach = Math.abs(depthX) * hx + Math.abs(depthY) * hy + Math.abs(depthZ) * hz;
-    if (!(depth - reach > 0)) {
-      return all() && depth + reach >= 0;
+    if (!(depth - reach > least)) {
+      return all() && depth + reach >= -least;
     }
     final double c = columnX * x + columnY * y + columnZ * z + columnAt;
     final double overC = Math.abs(columnX) * hx + Math.abs(columnY) * hy + Math.abs(columnZ) * hz;
@@ -284,7 +316,12 @@ public final class TileFrustum {
         Math.min(ra, Math.min(rb, rc)), Math.max(ra, Math.max(rb, rc)));
   }
 
-  private boolean all() {
+  /** Makes all of the tile the window. */
+  boolean all() {
+    leastColumn = -1;
+    mostColumn = columns;
+    leastRow = -1;
+    mostRow = rows;
     firstColumn = 0;
     lastColumn = columns - 1;
     firstRow = 0;
@@ -293,9 +330,13 @@ public final class TileFrustum {
   }
 
   /** Limits the window to the pixels that lie, with the margin, between two columns and two rows. */
-  private boolean limit(final double leastColumn, final double mostColumn, final double leastRow, final double mostRow) {
-    final double left = leastColumn - columnMargin, right = mostColumn + columnMargin;
-    final double bottom = leastRow - rowMargin, top = mostRow + rowMargin;
+  private boolean limit(final double fromColumn, final double toColumn, final double fromRow, final double toRow) {
+    final double left = fromColumn - columnMargin, right = toColumn + columnMargin;
+    final double bottom = fromRow - rowMargin, top = toRow + rowMargin;
+    leastColumn = left;
+    mostColumn = right;
+    leastRow = bottom;
+    mostRow = top;
     if (right < 0 || left > columns - 1 || top < 0 || bottom > rows - 1) {
       return false;
     }
@@ -303,7 +344,7 @@ public final class TileFrustum {
     lastColumn = (int) Math.min(columns - 1, right);
     firstRow = (int) Math.max(0, bottom + UP);
     lastRow = (int) Math.min(rows - 1, top);
-    return firstColumn <= lastColumn && firstRow <= lastRow;
+    return between || firstColumn <= lastColumn && firstRow <= lastRow;
   }
 
   /**
@@ -340,6 +381,22 @@ public final class TileFrustum {
    */
   public double originZ() {
     return originZ;
+  }
+
+  double leastColumn() {
+    return leastColumn;
+  }
+
+  double mostColumn() {
+    return mostColumn;
+  }
+
+  double leastRow() {
+    return leastRow;
+  }
+
+  double mostRow() {
+    return mostRow;
   }
 
   /**

@@ -38,10 +38,20 @@ final class TileGrid {
   double columnMargin;
   double rowMargin;
 
+  /** How far before and behind the origin, along the axis, rays start. */
+  double ahead;
+  double behind;
+
+  /** Greatest distance of a ray's line from the origin of a pyramid; 0 if they all start there. */
+  double displacement;
+
   void setOrigin(final double x, final double y, final double z) {
     originX = x;
     originY = y;
     originZ = z;
+    ahead = 0;
+    behind = 0;
+    displacement = 0;
   }
 
   /** Takes any vector along the axis. */

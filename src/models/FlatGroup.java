@@ -11,6 +11,7 @@ import java.util.Set;
 
 import acceleration.Bvh;
 import acceleration.RayTile;
+import acceleration.SegmentTile;
 import primitives.BoundingBox;
 import tracer.Hit;
 import tracer.Ray;
@@ -212,6 +213,23 @@ final class FlatGroup {
           }
           return false;
         });
+  }
+
+  void block(final ShadowTile tile) {
+    final SegmentTile segments = tile.segments();
+    for (int i = 0; i < unbounded; i++) {
+      segments.project(BoundingBox.UNBOUNDED);
+      objects[i].block(tile);
+    }
+    tree.closest(segments.frustum(), tile.farthest(), (first, end) -> {
+      for (int i = unbounded + first; i < unbounded + end; i++) {
+        if (segments.project(boxes[i])) {
+          objects[i].block(tile);
+        }
+      }
+      tile.visit(end - first);
+      return tile.farthest();
+    });
   }
 
   /** What the same question costs: the objects are asked in the same way, and each reports its cost. */

@@ -196,6 +196,11 @@ public class Group3D extends Object3D {
   }
 
   @Override
+  void block(final ShadowTile tile) {
+    members().block(tile);
+  }
+
+  @Override
   boolean intersectsBefore(final Ray ray, final double tmax) {
     return members().intersectsBefore(ray, tmax);
   }

@@ -37,11 +37,12 @@ final class MeshRay implements Bvh.Leaves {
 
   /** Whether a triangle is hit before a distance. */
   static boolean hitsBefore(final Ray ray, final double tmax, final MeshTree mesh) {
-    final MeshRay query = new MeshRay(mesh, ray);
+    final double x = ray.startX(), y = ray.startY(), z = ray.startZ();
+    final double dx = ray.directionX(), dy = ray.directionY(), dz = ray.directionZ();
+    final double error = mesh.error(x, y, z);
     return mesh.any(ray, tmax, (first, end) -> {
       for (int place = first; place < end; place++) {
-        final double distance = query.distanceTo(place);
-        if (distance > 0 && distance < tmax) {
+        if (mesh.blocks(place, x, y, z, dx, dy, dz, error, tmax)) {
           return true;
         }
       }

@@ -87,6 +87,22 @@ final class MeshTree {
     return WatertightTest.error(box, x, y, z);
   }
 
+  /** Greatest coordinate of a vertex, seen from a point. */
+  double greatest(final double x, final double y, final double z) {
+    return WatertightTest.greatest(box, x, y, z);
+  }
+
+  /** Whether the triangle at a place lies on a ray before a distance; the error is that of the ray's start. */
+  boolean blocks(final int place, final double x, final double y, final double z,
+      final double dx, final double dy, final double dz, final double error, final double tmax) {
+    final int a = vertex(place, 0), b = vertex(place, 1), c = vertex(place, 2);
+    final double t = WatertightTest.distance(
+        coordinates[a] - x, coordinates[a + 1] - y, coordinates[a + 2] - z,
+        coordinates[b] - x, coordinates[b + 1] - y, coordinates[b + 2] - z,
+        coordinates[c] - x, coordinates[c + 1] - y, coordinates[c + 2] - z, dx, dy, dz, error);
+    return t > 0 && t < tmax;
+  }
+
   void closest(final Ray ray, final Bvh.Leaves leaves) {
     tree.closest(ray.startX(), ray.startY(), ray.startZ(), ray.directionX(), ray.directionY(), ray.directionZ(), leaves);
   }
@@ -98,6 +114,10 @@ final class MeshTree {
 
   void closest(final TileFrustum frustum, final Bvh.Leaves leaves) {
     tree.closest(frustum, leaves);
+  }
+
+  void closest(final TileFrustum frustum, final double limit, final Bvh.Leaves leaves) {
+    tree.closest(frustum, limit, leaves);
   }
 
   int facet(final int place) {

@@ -237,6 +237,11 @@ public abstract class Object3D {
   void markContained() {
   }
 
+  /** Finds the rays of a tile that the object blocks, among those on which the frustum's last projection may lie. */
+  void block(final ShadowTile tile) {
+    tile.ask(this);
+  }
+
   /** Whether the colour of this object depends on where it is hit; a class may say so by overriding {@link #getColorAt}. */
   boolean isTextured() {
     return false;

@@ -279,6 +279,11 @@ public class TriangularMesh extends Object3D {
   }
 
   @Override
+  void block(final ShadowTile tile) {
+    new MeshShadow(tile, surface.tree()).findBlocked();
+  }
+
+  @Override
   int cost(final Ray ray) {
     return MeshRay.cost(ray, surface.tree());
   }

@@ -31,10 +31,19 @@ final class WatertightTest {
 
   /** Greatest error that a sign can have for vertices within a box, seen from a point. */
   static double error(final BoundingBox box, final double x, final double y, final double z) {
+    return error(greatest(box, x, y, z));
+  }
+
+  /** Greatest coordinate of a point of a box, seen from a point. */
+  static double greatest(final BoundingBox box, final double x, final double y, final double z) {
     final double a = Math.max(Math.abs(box.minX() - x), Math.abs(box.maxX() - x));
     final double b = Math.max(Math.abs(box.minY() - y), Math.abs(box.maxY() - y));
     final double c = Math.max(Math.abs(box.minZ() - z), Math.abs(box.maxZ() - z));
-    final double m = Math.max(a, Math.max(b, c));
+    return Math.max(a, Math.max(b, c));
+  }
+
+  /** Greatest error that a sign can have for vertices whose coordinates, less the start, are no greater than m. */
+  static double error(final double m) {
     return ERROR * m * m;
   }
 

@@ -32,6 +32,11 @@ final class ColourWriter implements PixelWriter {
     return shading == Shading.PLAIN;
   }
 
+  /** Working space for the light of a tile; null if pixels do not show light. */
+  LitTile litTile() {
+    return shading instanceof Illumination illumination ? new LitTile(illumination) : null;
+  }
+
   /** Writes a colour as it is. */
   void paint(final int pixel, final int argb) {
     pixels[pixel] = argb;

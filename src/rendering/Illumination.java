@@ -110,6 +110,11 @@ public final class Illumination implements Shading {
     return SrgbEncoding.argb(gain * r, gain * g, gain * b);
   }
 
+  /** A tracer for the calling thread alone. */
+  WhittedTracer tracer() {
+    return new WhittedTracer(this);
+  }
+
   /**
    * The radiance that comes along a ray, and how it comes about.
    *

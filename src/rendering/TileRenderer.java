@@ -92,9 +92,10 @@ public final class TileRenderer {
     try {
       final RayTile rays = new RayTile();
       final TileHits hits = new TileHits(rays);
+      final LitTile lit = picture instanceof ColourWriter colours ? colours.litTile() : null;
       for (int i = next.getAndIncrement(); i < tiles && !stopped; i = next.getAndIncrement()) {
         final int tile = order == null ? i : order[i];
-        compute(tile % across * RayTile.SIZE, tile / across * RayTile.SIZE, rays, hits);
+        compute(tile % across * RayTile.SIZE, tile / across * RayTile.SIZE, rays, hits, lit);
       }
     } catch (Throwable e) {
       failure.compareAndSet(null, e);
@@ -103,7 +104,7 @@ public final class TileRenderer {
   }
 
   /** Computes the tile whose lowest leftmost pixel is (m, n). */
-  private void compute(final int m, final int n, final RayTile rays, final TileHits hits) {
+  private void compute(final int m, final int n, final RayTile rays, final TileHits hits, final LitTile lit) {
     final int width = Math.min(RayTile.SIZE, W - m), height = Math.min(RayTile.SIZE, H - n);
     try {
       rays.open(width, height);
@@ -111,8 +112,11 @@ public final class TileRenderer {
       rays.close();
       hits.clear();
       scene.closestHits(rays, hits);
+      if (lit != null) {
+        lit.prepare(hits, width, height);
+      }
       for (int row = 0; row < height; row++) {
-        paint(hits, row * RayTile.SIZE, width, (H - 1 - n - row) * W + m);
+        paint(hits, lit, row * RayTile.SIZE, width, (H - 1 - n - row) * W + m);
       }
     } catch (RuntimeException | StackOverflowError e) {
       throw new FailureLocator(scene, generator, picture).explain(e, m, n, width, height);
@@ -122,13 +126,13 @@ public final class TileRenderer {
     }
   }
 
-  private void paint(final TileHits hits, final int first, final int width, final int at) {
-    if (picture instanceof ColourWriter colours && colours.isPlain()) {
-      for (int i = 0; i < width; i++) {
-        if (hits.hits(first + i)) {
-          colours.paint(at + i, hits.argb(first + i));
+  private void paint(final TileHits hits, final LitTile lit, final int first, final int width, final int at) {
+    if (picture instanceof ColourWriter colours && (lit != null || colours.isPlain())) {
+      for (int i = first; i < first + width; i++) {
+        if (lit != null ? lit.hits(i) : hits.hits(i)) {
+          colours.paint(at + i - first, lit != null ? lit.argb(i) : hits.argb(i));
         } else {
-          colours.miss(at + i, Ray.NORAY);
+          colours.miss(at + i - first, Ray.NORAY);
         }
       }
     } else {

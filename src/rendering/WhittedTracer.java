@@ -13,6 +13,7 @@ import materials.SpecularRays;
 import materials.SurfaceInteraction;
 import models.Group3D;
 import models.Object3D;
+import models.ShadowTile;
 import primitives.Point3D;
 import radiometry.RadianceRGB;
 import tracer.Hit;
@@ -42,6 +43,10 @@ final class WhittedTracer {
   private final SpecularRays specular = new SpecularRays();
   private final ViewedSurface surface = new ViewedSurface();
 
+  /** For each light the shadow rays of the tile at hand, and the pixel that is traced; −1 if it belongs to none. */
+  private final ShadowTile[] shadows;
+  private int pixel = -1;
+
   private Ray[] waiting = new Ray[16];
   private int[] depths = new int[16];
   private double[] weights = new double[3 * 16];
@@ -64,6 +69,8 @@ final class WhittedTracer {
     this.lights = illumination.lights().toArray(new Light[0]);
     this.recursionDepth = illumination.recursionDepth();
     this.background = illumination.backgroundRadiance();
+    this.shadows = new ShadowTile[lights.length];
+    Arrays.setAll(shadows, i -> new ShadowTile());
   }
 
   double r() {
@@ -81,6 +88,18 @@ final class WhittedTracer {
   /** Finds the radiance of a ray of depth 0 from its closest hit. */
   void trace(final Ray first, final Hit hit, final LightObserver observer) {
     report = observer == LightObserver.NONE ? null : new TraceReport(observer, incidence, interaction, specular);
+    pixel = -1;
+    trace(first, hit);
+  }
+
+  /** Finds the radiance of the ray of a pixel whose shadows are known: see {@link #castShadows}. */
+  void trace(final int itsPixel, final Ray first, final Hit hit) {
+    report = null;
+    pixel = itsPixel;
+    trace(first, hit);
+  }
+
+  private void trace(final Ray first, final Hit hit) {
     r = 0;
     g = 0;
     b = 0;
@@ -118,6 +137,45 @@ final class WhittedTracer {
     r += dr;
     g += dg;
     b += db;
+  }
+
+  /** Forgets the shadow rays of the tile before. */
+  void clearShadows() {
+    for (final ShadowTile shadow : shadows) {
+      shadow.clear();
+    }
+  }
+
+  /** Casts the shadow rays of a pixel's first hit, to be asked together with those of other pixels of its tile. */
+  void castShadows(final int itsPixel, final Ray first, final Hit hit) {
+    if (!hit.hits()) {
+      return;
+    }
+    ray = first;
+    surface.set(first, hit);
+    final Material material = hit.getObject().getMaterial();
+    final boolean transmits = material != null && material.transmits();
+    if (material != null && !material.scatters()) {
+      return;
+    }
+    for (int i = 0; i < lights.length; i++) {
+      if (illuminate(lights[i], hit)) {
+        final double wx = incidence.directionX(), wy = incidence.directionY(), wz = incidence.directionZ();
+        final double ci = wx * surface.normalX() + wy * surface.normalY() + wz * surface.normalZ();
+        final double facing = surface.facing(wx, wy, wz);
+        if (ci > 0 && facing > 0 || ci < 0 && facing < 0 && transmits) {
+          final Ray shadowRay = surface.towards(facing > 0, wx, wy, wz, incidence.distance());
+          shadows[i].put(itsPixel, shadowRay, surface.distance(), surface.distance() * BEFORE_LIGHT);
+        }
+      }
+    }
+  }
+
+  /** Finds which of the shadow rays are blocked. */
+  void findShadows() {
+    for (final ShadowTile shadow : shadows) {
+      shadow.findBlocked(scene);
+    }
   }
 
   private Hit closestHit() {
@@ -204,6 +262,12 @@ final class WhittedTracer {
     final double lr = weightR * interaction.radianceR(), lg = weightG * interaction.radianceG(),
         lb = weightB * interaction.radianceB();
     if (lr > 0 || lg > 0 || lb > 0) {
+      if (depth == 0 && pixel >= 0 && shadows[number].holds(pixel)) {
+        if (!shadows[number].isBlocked(pixel)) {
+          add(lr, lg, lb);
+        }
+        return;
+      }
       final Ray shadowRay = surface.towards(before, wx, wy, wz, incidence.distance());
       final boolean blocked = isBlocked(shadowRay, surface.distance() * BEFORE_LIGHT);
       if (report != null) {

@@ -1,0 +1,99 @@
+package models;
+
+import acceleration.Bvh;
+import acceleration.RayTile;
+import acceleration.SegmentTile;
+import acceleration.TileFrustum;
+
+/**
+ * The shadow rays of a tile that a mesh blocks. A triangle is projected from the light, and tested for those rays only that
+ * have their place there. If the rays share their end, the products of its edges are computed once, seen from the light,
+ * and rays that pass the triangle by beyond doubt are left out by their signs, as in {@link MeshTile}; the others are
+ * decided by {@link MeshTree#blocks}, as a ray alone is.
+ *
+ * <p>Doubt: the sign of an edge is that of a triple product of the ray's line, which does not change along the line. Seen
+ * from the light, at most the displacement s beside the line, it differs by no more than s (|B| + |C|);
+ * {@link MeshTree#error} bounds the rounding, here and at the start of each ray, whose greatest coordinate differs from the
+ * light's by no more than the length of the ray.
+ */
+final class MeshShadow implements Bvh.Leaves {
+
+  /** Bound of what rounding and the displacement can do to the distance of the light from a triangle's plane. */
+  private static final double EDGE_ON = 0x1p-40;
+
+  private final ShadowTile tile;
+  private final SegmentTile segments;
+  private final TileFrustum frustum;
+  private final MeshTree mesh;
+  private final double x;
+  private final double y;
+  private final double z;
+  private final double doubt;
+  private final double edgeOn;
+
+  MeshShadow(final ShadowTile tile, final MeshTree mesh) {
+    this.tile = tile;
+    this.segments = tile.segments();
+    this.frustum = segments.frustum();
+    this.mesh = mesh;
+    this.x = frustum.originX();
+    this.y = frustum.originY();
+    this.z = frustum.originZ();
+    final double extent = mesh.greatest(x, y, z), length = segments.longest();
+    this.doubt = mesh.error(x, y, z) + 2 * WatertightTest.error(extent + length) + 4 * segments.displacement() * extent;
+    this.edgeOn = segments.displacement() + EDGE_ON * (extent + length);
+  }
+
+  void findBlocked() {
+    mesh.closest(frustum, tile.farthest(), this);
+  }
+
+  @Override
+  public double visit(final int first, final int end) {
+    for (int place = first; place < end; place++) {
+      final int a = mesh.vertex(place, 0), b = mesh.vertex(place, 1), c = mesh.vertex(place, 2);
+      final double ax = mesh.coordinate(a) - x, ay = mesh.coordinate(a + 1) - y, az = mesh.coordinate(a + 2) - z;
+      final double bx = mesh.coordinate(b) - x, by = mesh.coordinate(b + 1) - y, bz = mesh.coordinate(b + 2) - z;
+      final double cx = mesh.coordinate(c) - x, cy = mesh.coordinate(c + 1) - y, cz = mesh.coordinate(c + 2) - z;
+      if (frustum.project(ax, ay, az, bx, by, bz, cx, cy, cz)) {
+        test(place, ax, ay, az, bx, by, bz, cx, cy, cz);
+      }
+    }
+    tile.visit(end - first);
+    return tile.farthest();
+  }
+
+  private void test(final int place, final double ax, final double ay, final double az,
+      final double bx, final double by, final double bz, final double cx, final double cy, final double cz) {
+    final double px = bx - ax, py = by - ay, pz = bz - az, qx = cx - ax, qy = cy - ay, qz = cz - az;
+    final double nx = py * qz - pz * qy, ny = pz * qx - px * qz, nz = px * qy - py * qx;
+    final double plane = ax * nx + ay * ny + az * nz, s = -Math.copySign(1, plane);
+    final boolean doubtful = !frustum.isPyramid()
+        || !(Math.abs(plane) > edgeOn * (Math.abs(nx) + Math.abs(ny) + Math.abs(nz)));
+    final double ex = s * (by * cz - bz * cy), ey = s * (bz * cx - bx * cz), ez = s * (bx * cy - by * cx);
+    final double fx = s * (cy * az - cz * ay), fy = s * (cz * ax - cx * az), fz = s * (cx * ay - cy * ax);
+    final double gx = s * (ay * bz - az * by), gy = s * (az * bx - ax * bz), gz = s * (ax * by - ay * bx);
+    for (int block = 0; block < RayTile.SIZE; block++) {
+      int mask = segments.candidates(block);
+      if (mask != 0 && !doubtful) {
+        int inside = 0;
+        for (int k = 0, i = block * RayTile.SIZE; k < RayTile.SIZE; k++, i++) {
+          final double dx = segments.directionX(i), dy = segments.directionY(i), dz = segments.directionZ(i);
+          final long signs = Double.doubleToRawLongBits(dx * ex + dy * ey + dz * ez + doubt)
+              | Double.doubleToRawLongBits(dx * fx + dy * fy + dz * fz + doubt)
+              | Double.doubleToRawLongBits(dx * gx + dy * gy + dz * gz + doubt);
+          inside |= (int) (~signs >>> 63) << k;
+        }
+        mask &= inside;
+      }
+      for (; mask != 0; mask &= mask - 1) {
+        final int i = block * RayTile.SIZE + Integer.numberOfTrailingZeros(mask);
+        final double sx = segments.startX(i), sy = segments.startY(i), sz = segments.startZ(i);
+        if (mesh.blocks(place, sx, sy, sz, segments.directionX(i), segments.directionY(i), segments.directionZ(i),
+            mesh.error(sx, sy, sz), tile.limit(i))) {
+          tile.block(i);
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,50 @@
+package rendering;
+
+import acceleration.RayTile;
+import models.TileHits;
+import tracer.Hit;
+import tracer.Ray;
+
+/**
+ * Shades the pixels of a tile under an {@link Illumination}: the shadow rays of the first hits are asked light by light, all
+ * pixels of the tile together, and then each pixel is shaded as it is alone. One for each thread.
+ */
+final class LitTile {
+
+  private final Illumination illumination;
+  private final WhittedTracer tracer;
+  private final Ray[] rays = new Ray[RayTile.SIZE * RayTile.SIZE];
+  private final Hit[] found = new Hit[RayTile.SIZE * RayTile.SIZE];
+
+  LitTile(final Illumination illumination) {
+    this.illumination = illumination;
+    this.tracer = illumination.tracer();
+  }
+
+  /** Finds the hits of all pixels and which of their shadow rays are blocked. */
+  void prepare(final TileHits hits, final int width, final int height) {
+    tracer.clearShadows();
+    for (int row = 0; row < height; row++) {
+      for (int i = row * RayTile.SIZE; i < row * RayTile.SIZE + width; i++) {
+        found[i] = Hit.NOHIT;
+        if (hits.hits(i)) {
+          rays[i] = hits.ray(i);
+          found[i] = hits.hit(i);
+          tracer.castShadows(i, rays[i], found[i]);
+        }
+      }
+    }
+    tracer.findShadows();
+  }
+
+  /** Whether a pixel's ray hits anything. */
+  boolean hits(final int i) {
+    return found[i].hits();
+  }
+
+  /** The colour of a pixel that hits something. */
+  int argb(final int i) {
+    tracer.trace(i, rays[i], found[i]);
+    return illumination.encoded(tracer.r(), tracer.g(), tracer.b());
+  }
+}
