@@ -2,7 +2,6 @@ package meshes;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 
 import arguments.Messages;
 
@@ -143,7 +142,7 @@ final class ObjText {
 
   /** The word that begins here, fit for a message. */
   String word() {
-    return Messages.quote(new String(bytes.window, bytes.at, wordEnd() - bytes.at, StandardCharsets.UTF_8));
+    return Messages.quote(rawWord());
   }
 
   /** The word that begins here, or as much of it as a message quotes. */

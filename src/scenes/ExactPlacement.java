@@ -35,8 +35,11 @@ record ExactPlacement(Vector3d scale, Matrix3d rotation, Vector3d shift) {
   /** The numbers of an element, or others if it is not there. */
   private static double[] numbers(final Element object, final String name, final double... absent) {
     final Element value = object.find(name);
-    return value == null ? absent
-        : Arrays.stream(value.text().strip().split("\\s+")).limit(absent.length).mapToDouble(Double::parseDouble).toArray();
+    if (value == null) {
+      return absent;
+    }
+    final String[] numbers = Blanks.plain(value.text()).strip().split("\\s+");
+    return Arrays.stream(numbers).limit(absent.length).mapToDouble(Double::parseDouble).toArray();
   }
 
   private static Matrix3d aiming(final Element object) {

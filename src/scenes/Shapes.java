@@ -41,6 +41,18 @@ final class Shapes {
   /** Sphere about the origin. */
   record SphereModel(float radius) implements Model {
     @Override
+    public String textureFault() {
+      return null;
+    }
+
+    /** A texture turns with the sphere, which a point for its centre does not tell. */
+    @Override
+    public Object3D placed(final Placement placement, final Appearance look) {
+      return look.texture() == null ? Model.super.placed(placement, look)
+          : placement.applied(new Sphere(new Point3D(), radius, look.texture()));
+    }
+
+    @Override
     public Object3D at(final Placement placement, final Appearance look) {
       return sphere(placement.point(0, 0, 0), radius, look);
     }
