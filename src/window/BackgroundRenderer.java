@@ -1,5 +1,6 @@
 package window;
 
+import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Objects;
@@ -37,11 +38,14 @@ final class BackgroundRenderer {
    *
    * @param file scene file to read; null if the scene is given
    * @param scene the scene; null if it is to be read from the file
+   * @param camera a camera to be used in place of that of the scene; null for none
+   * @param preview picture to be shown at first, of any size; null for the previous one
    */
-  record RenderRequest(Path file, SceneFile scene, RenderPass view, PictureSize size, int threads) {
+  record RenderRequest(Path file, SceneFile scene, RenderPass view, PictureSize size, int threads, CameraChange camera,
+      BufferedImage preview) {
 
     boolean showsSameSceneAs(final RenderRequest other) {
-      return Objects.equals(file, other.file) && scene == other.scene;
+      return Objects.equals(file, other.file) && (file != null || scene == other.scene);
     }
   }
 
@@ -93,7 +97,7 @@ final class BackgroundRenderer {
     try {
       final Optional<SceneFile> scene = request.scene != null ? Optional.of(request.scene) : read(request);
       if (scene.isPresent() && isLatest(request)) {
-        render(request, scene.get());
+        render(request, request.camera == null ? scene.get() : request.camera.applyTo(scene.get()));
       }
     } catch (final RuntimeException | Error failure) {
       notifyListener(request, () -> listener.failed(failure));
@@ -119,9 +123,19 @@ final class BackgroundRenderer {
     notifyListener(request, () -> listener.finished(job, completed));
   }
 
+  /** A coarse picture in the size of an image. */
+  private static BufferedImage scaled(final BufferedImage preview, final BufferedImage image) {
+    final BufferedImage scaled = new BufferedImage(image.getWidth(), image.getHeight(), image.getType());
+    final Graphics2D g = scaled.createGraphics();
+    g.drawImage(preview, 0, 0, image.getWidth(), image.getHeight(), null);
+    g.dispose();
+    return scaled;
+  }
+
   /** The picture that the job fills. If another request has arrived already, the job is cancelled before it runs. */
   private synchronized ProgressivePicture begin(final RenderRequest request, final RenderJob job) {
-    final ProgressivePicture picture = new ProgressivePicture(job.image(), previous);
+    final ProgressivePicture picture = new ProgressivePicture(job.image(),
+        request.preview == null ? previous : scaled(request.preview, job.image()));
     if (isLatest(request)) {
       running = job;
       previous = picture.image();

@@ -102,7 +102,7 @@ final class Dialogs {
     SwingUtilities.invokeLater(() -> window.status().showText(text));
   }
 
-  private void showError(final String message) {
+  void showError(final String message) {
     JOptionPane.showMessageDialog(window.frame(), message, "UPNaTRay", JOptionPane.ERROR_MESSAGE);
   }
 

@@ -32,6 +32,10 @@ final class MenuBar extends JMenuBar {
     add(fileMenu());
     add(viewMenu());
     add(pixelMenu());
+    final JMenu camera = menu("camera");
+    CameraMenu.fill(camera, window.camera());
+    add(camera);
+    CameraMenu.bindKeys(window.view(), window.camera());
     fillRecent();
     bindKeys(window.view());
   }

@@ -32,9 +32,11 @@ final class PictureView extends Drawing {
   private final transient PixelListener listener;
   private transient BufferedImage picture = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB);
   private transient BufferedImage overlay;
+  private transient BufferedImage preview;
   private transient RayOverlay rays = RayOverlay.NONE;
   private transient BufferedImage buffer;
   private transient Zoom zoom = new Zoom(1, 0, 0);
+  private transient CameraControl camera;
   private boolean fitting = true;
   private boolean hasPicture;
   private boolean rendering;
@@ -75,6 +77,7 @@ final class PictureView extends Drawing {
     picture = next;
     hasPicture = true;
     overlay = null;
+    preview = null;
     rays = RayOverlay.NONE;
     if (!sameSize) {
       fitting = true;
@@ -105,6 +108,12 @@ final class PictureView extends Drawing {
   /** Sets an image to be shown over the picture, such as the mask of a comparison; null for none. */
   void setOverlay(final BufferedImage mask) {
     overlay = mask;
+    repaint();
+  }
+
+  /** Shows a coarse picture in place of the picture, stretched to its size; null for none. */
+  void setPreview(final BufferedImage next) {
+    preview = next;
     repaint();
   }
 
@@ -170,6 +179,15 @@ final class PictureView extends Drawing {
     final boolean visible = pixel != null && getVisibleRect().intersects(pixel);
     zoomAbout(visible ? new Point2D.Double(pixel.getCenterX(), pixel.getCenterY())
         : new Point2D.Double(getWidth() / 2.0, getHeight() / 2.0), factor);
+  }
+
+  /** Sets the control of the camera, which middle and Alt drags and Ctrl with the wheel move. */
+  void setCamera(final CameraControl control) {
+    camera = control;
+  }
+
+  CameraControl camera() {
+    return camera;
   }
 
   void moveBy(final double dx, final double dy) {
@@ -249,7 +267,7 @@ final class PictureView extends Drawing {
     final PicturePainter painter = new PicturePainter(buffer, part, zoom(), scale, picture.getWidth(), picture.getHeight());
     painter.paintGround(getBackground(), hasPicture);
     if (hasPicture) {
-      painter.paint(picture, rendering);
+      painter.paint(preview == null ? picture : preview, rendering || preview != null);
       if (overlay != null) {
         painter.paint(overlay, false);
       }

@@ -51,6 +51,9 @@ final class RenderPresenter implements BackgroundRenderer.Listener {
     window.problems().show(result.problems());
     if (result.scene().isPresent()) {
       window.session().watchMeshes(result.scene().get());
+      if (window.session().hasRead(result.scene().get())) {
+        window.camera().reset();
+      }
     } else {
       end(Messages.text(job == null ? "window.status.errors" : "window.status.errorsBefore"));
       if (job == null) {

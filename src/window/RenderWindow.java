@@ -7,7 +7,6 @@ import static arguments.Arguments.wrongState;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Frame;
-import java.awt.Point;
 import java.awt.Toolkit;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -35,7 +34,7 @@ public final class RenderWindow {
 
   private final Settings settings;
   private final JFrame frame = new JFrame();
-  private final PictureView view = new PictureView(new Pointing());
+  private final PictureView view = new PictureView(new PixelPointer(this));
   private final InspectorPanel inspector = new InspectorPanel();
   private final ProblemTable problems = new ProblemTable();
   private final LegendView legend = new LegendView();
@@ -44,6 +43,7 @@ public final class RenderWindow {
   private final Command render = Command.of("render", "F5", this::renderAgain);
   private final Command cancel = Command.of("cancel", "ESCAPE", presenter::cancel);
   private final StatusBar status = new StatusBar(cancel);
+  private final CameraControl camera = new CameraControl(this);
   private final Dialogs dialogs = new Dialogs(this);
   private final LatestOnlyExecutor projecting = new LatestOnlyExecutor("rays");
   private final Session session;
@@ -55,6 +55,7 @@ public final class RenderWindow {
     this.session = new Session(presenter, pass, threads);
     this.toolBar = new ToolBar(this);
     this.menus = new MenuBar(this);
+    view.setCamera(camera);
     inspector.setRayListener(this::showRays);
     cancel.setEnabled(false);
     render.setEnabled(false);
@@ -136,6 +137,7 @@ public final class RenderWindow {
     frame.setTitle(name + " \u2014 UPNaTRay");
     render.setEnabled(true);
     presenter.reset();
+    camera.reset();
     unpin();
     status.showPixel(null, 0, 0);
     status.showText(Messages.text("window.status.reading", name));
@@ -224,25 +226,9 @@ public final class RenderWindow {
     settings.save();
     session.stop();
     presenter.stop();
+    camera.stop();
     dialogs.close();
     frame.dispose();
-  }
-
-  /** Shows and inspects the pixels that the user points at. */
-  private final class Pointing implements PictureView.PixelListener {
-
-    @Override
-    public void hovered(final Point pixel) {
-      status.showPixel(pixel, view.picture().getHeight(), pixel == null ? 0 : view.picture().getRGB(pixel.x, pixel.y));
-    }
-
-    @Override
-    public void pinned(final Point pixel) {
-      hovered(pixel);
-      if (job() != null) {
-        inspections.inspect(job(), pixel);
-      }
-    }
   }
 
   Settings settings() {
@@ -281,8 +267,16 @@ public final class RenderWindow {
     return cancel;
   }
 
+  CameraControl camera() {
+    return camera;
+  }
+
   LegendView legend() {
     return legend;
+  }
+
+  PixelInspections inspections() {
+    return inspections;
   }
 
   Session session() {

@@ -1,5 +1,6 @@
 package window;
 
+import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -8,6 +9,7 @@ import javax.swing.SwingUtilities;
 
 import scenes.SceneFile;
 import rendering.RenderPass;
+import view.Camera;
 
 /** The open scene and how to render it. It is rendered again whenever the scene file or one of its meshes changes. */
 final class Session {
@@ -18,6 +20,8 @@ final class Session {
   private Path file;
   private List<Path> inputs = List.of();
   private SceneFile scene;
+  private SceneFile lastRead;
+  private CameraChange camera;
   private RenderPass pass;
   private PictureSize size = PictureSize.OWN;
 
@@ -32,6 +36,8 @@ final class Session {
   void open(final Path path) {
     file = path;
     scene = null;
+    lastRead = null;
+    camera = null;
     inputs = List.of(path);
     watch.watch(inputs);
     render();
@@ -41,6 +47,7 @@ final class Session {
   void open(final SceneFile given) {
     file = null;
     scene = given;
+    camera = null;
     inputs = List.of();
     watch.watch(inputs);
     render();
@@ -49,8 +56,32 @@ final class Session {
   /** Renders the scene, after reading its file again if it has one. */
   void render() {
     if (isOpen()) {
-      renderer.render(new BackgroundRenderer.RenderRequest(file, scene, pass, size, threads));
+      renderer.render(new BackgroundRenderer.RenderRequest(file, scene, pass, size, threads, camera, null));
     }
+  }
+
+  /**
+   * Renders with another camera in place of that of the scene, which is not read again.
+   *
+   * @param next the camera; null for that of the scene
+   * @param preview a coarse picture of it, or null
+   */
+  void setCamera(final Camera next, final BufferedImage preview) {
+    final SceneFile known = scene == null ? lastRead : scene;
+    if (known != null) {
+      camera = next == null ? null : new CameraChange(known.camera(), next);
+      renderer.render(new BackgroundRenderer.RenderRequest(file, known, pass, size, threads, camera, preview));
+    }
+  }
+
+  /** Takes note of a scene that was read. A camera that was moved is dropped if the file has another one now. */
+  boolean hasRead(final SceneFile read) {
+    lastRead = read;
+    final boolean isDropped = camera != null && !camera.appliesTo(read);
+    if (isDropped) {
+      camera = null;
+    }
+    return isDropped;
   }
 
   boolean isOpen() {

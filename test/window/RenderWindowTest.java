@@ -707,6 +707,64 @@ class RenderWindowTest {
     assertEquals(place, on(() -> window.frame().getBounds()));
   }
 
+  /** The picture follows, the file changes in three values and is restored, and home is the camera of the file. */
+  @Test
+  void theCameraIsMovedWrittenRestoredAndSentHome() throws Exception {
+    on(() -> {
+      window.camera().move(0.5, 0);
+      return null;
+    });
+    assertTrue(label("status").startsWith("V = (-1.5, 0, 5)   C = (-1.5, 0, 0)   up = (0, 1, 0)"), label("status"));
+    waitFor(() -> !window.isRunning() && window.view().picture().getRGB(40, 30) == BLUE);
+    assertEquals(RED, pixel(70, 30));
+    on(() -> {
+      window.camera().write();
+      return null;
+    });
+    waitFor(() -> label("status").startsWith("camera written") || Files.readString(scene).contains("-1.5 0 5"));
+    assertEquals(SCENE.replace("0 0 5<", "-1.5 0 5<").replace("0 0 0<", "-1.5 0 0<"), Files.readString(scene));
+    waitFor(() -> !window.isRunning() && window.job().scene().camera().getPosition().x == -1.5f);
+    Thread.sleep(800);
+    on(() -> {
+      window.camera().undo();
+      return null;
+    });
+    waitFor(() -> Files.readString(scene).equals(SCENE));
+    waitFor(() -> !window.isRunning() && window.view().picture().getRGB(40, 30) == RED);
+    on(() -> {
+      window.camera().nearer(2);
+      window.camera().setProjection(CameraPose.Optics.PERSPECTIVE);
+      return null;
+    });
+    waitFor(() -> !window.isRunning() && window.job().scene().camera().getPosition().z == 2.5f);
+    on(() -> {
+      window.camera().home();
+      return null;
+    });
+    waitFor(() -> !window.isRunning() && window.job().scene().camera().getPosition().z == 5);
+    assertEquals(RED, pixel(40, 30));
+  }
+
+  @Test
+  void theMouseTurnsTheCamera() throws Exception {
+    final Robot robot = new Robot();
+    final Point place = onScreen(40, 30);
+    robot.mouseMove(place.x, place.y);
+    robot.mousePress(InputEvent.BUTTON2_DOWN_MASK);
+    for (int i = 1; i <= 10; i++) {
+      robot.mouseMove(place.x - 6 * i, place.y);
+    }
+    robot.mouseRelease(InputEvent.BUTTON2_DOWN_MASK);
+    waitFor(() -> !window.isRunning() && window.job().scene().camera().getPosition().x > 0.5);
+    assertNull(on(() -> window.view().pinned()));
+    on(() -> {
+      window.camera().copyXml();
+      return null;
+    });
+    final Object text = Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
+    assertTrue(String.valueOf(text).matches("<camera><position>.*</up></camera>"), String.valueOf(text));
+  }
+
   private static void assertNamed(final Container container) {
     for (final Component component : container.getComponents()) {
       if (component instanceof AbstractButton button && button.getAction() != null) {

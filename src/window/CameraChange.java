@@ -1,0 +1,28 @@
+package window;
+
+import scenes.CameraText;
+import scenes.SceneFile;
+import view.Camera;
+
+/**
+ * A camera that replaces the one of a scene as long as that is still the one it was derived from.
+ *
+ * @param from the camera of the scene
+ * @param to the camera to be used
+ */
+record CameraChange(Camera from, Camera to) {
+
+  /** Whether the scene still has the camera that this change starts from. */
+  boolean appliesTo(final SceneFile scene) {
+    return CameraText.of(scene.camera()).equals(CameraText.of(from));
+  }
+
+  SceneFile applyTo(final SceneFile scene) {
+    return appliesTo(scene) ? with(scene, to) : scene;
+  }
+
+  static SceneFile with(final SceneFile scene, final Camera camera) {
+    return new SceneFile(scene.name(), scene.width(), scene.height(), scene.background(), scene.lighting(), camera,
+        scene.objects(), scene.names(), scene.meshes());
+  }
+}
