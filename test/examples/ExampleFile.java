@@ -22,7 +22,9 @@ enum ExampleFile {
   ORTHOGRAPHIC("orthographic.xml", Temple::orthographic),
   PERSPECTIVE("perspective.xml", Temple::perspective),
   ANGULAR("angular.xml", Temple::angular),
-  CHESS("chess.xml", Chess::text);
+  EVENING("evening.xml", Temple::evening),
+  CHESS("chess.xml", Chess::text),
+  CHESSBOARD("chessboard.xml", Chess::lit);
 
   private final Path path;
   private final Supplier<String> program;

@@ -4,6 +4,8 @@ package examples;
 final class SceneText {
 
   private final StringBuilder text = new StringBuilder();
+  private boolean lit;
+  private boolean materials;
   private boolean objects;
 
   /**
@@ -23,6 +25,17 @@ final class SceneText {
 
   /** Size in pixels, background, and whether colours are shaded by the angle between surface and ray. */
   SceneText raster(final int w, final int h, final String background, final boolean shaded) {
+    return raster(w, h, background, "<illumination>false</illumination>\n    <falseLighting>" + shaded + "</falseLighting>");
+  }
+
+  /** Size in pixels and background of a scene with illumination, and how often rays may be reflected. */
+  SceneText litRaster(final int w, final int h, final String background, final int recursionDepth) {
+    lit = true;
+    return raster(w, h, background, "<illumination>true</illumination>\n    <recursionDepth>" + recursionDepth
+        + "</recursionDepth>");
+  }
+
+  private SceneText raster(final int w, final int h, final String background, final String engine) {
     text.append("""
           <raster>
             <W>%d</W>
@@ -35,10 +48,9 @@ final class SceneText {
             <showProgress>true</showProgress>
           </rayTracer>
           <engine>
-            <illumination>false</illumination>
-            <falseLighting>%b</falseLighting>
+            %s
           </engine>
-        """.formatted(w, h, background, shaded));
+        """.formatted(w, h, background, engine));
     return this;
   }
 
@@ -57,22 +69,43 @@ final class SceneText {
   SceneText projection(final String type, final String... values) {
     text.append("  <projection type=\"").append(type).append("\">\n");
     values("    ", values);
-    text.append("  </projection>\n  <models>\n");
+    text.append("  </projection>\n").append(lit ? "  <lights>\n" : "  <models>\n");
+    return this;
+  }
+
+  /** A light: its type, names and values, its spectrum and position among them. */
+  SceneText light(final String type, final String... values) {
+    text.append("    <light type=\"").append(type).append("\">");
+    inLine(values);
+    text.append("</light>\n");
+    return this;
+  }
+
+  /** A material that reflects; the first ends the lights. */
+  SceneText brdf(final String id, final String type, final String... values) {
+    text.append(materials ? "" : "  </lights>\n  <materials>\n");
+    materials = true;
+    text.append("    <brdf id=\"").append(id).append("\" type=\"").append(type).append("\">");
+    inLine(values);
+    text.append("</brdf>\n");
     return this;
   }
 
   /** A shape: names and values of what its type needs. */
   SceneText model(final String id, final String type, final String... values) {
+    text.append(materials ? "  </materials>\n  <models>\n" : "");
+    materials = false;
     text.append("    <model id=\"").append(id).append("\" type=\"").append(type).append("\">");
     inLine(values);
     text.append("</model>\n");
     return this;
   }
 
-  /** An object: its model, its colour, and names and values of its placement. */
-  SceneText object(final String model, final String colour, final String... placement) {
+  /** An object: its model, its colour or with illumination its material, and names and values of its placement. */
+  SceneText object(final String model, final String look, final String... placement) {
     endModels();
-    text.append("    <object><modelId>").append(model).append("</modelId><color>").append(colour).append("</color>");
+    text.append("    <object>");
+    inLine("modelId", model, lit ? "materialId" : "color", look);
     inLine(placement);
     text.append("</object>\n");
     return this;
