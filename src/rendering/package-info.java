@@ -1,6 +1,12 @@
 /**
- * How a scene becomes pixels. A {@link rendering.TileRenderer} traces the rays of a camera in tiles shared out among
- * threads,
- * as {@link rendering.RenderSettings} say; a {@link rendering.Shading} turns each hit into a colour.
+ * How a scene becomes pixels. {@link rendering.PixelLoop}, to be read first, is the loop of the assignment; a
+ * {@link rendering.TileRenderer} gives the same pixels faster, in tiles shared out among threads. What becomes of a pixel is
+ * up to a {@link rendering.PixelWriter}: a colour, which a {@link rendering.Shading} makes of the hit, or a number of a
+ * {@link rendering.NumberPass}. {@link rendering.RenderSettings} choose all of it.
+ *
+ * <p>{@link rendering.Illumination} is the shading of a lit scene: at each hit the lights that nothing blocks, then the
+ * ideally reflected and refracted rays, whose hits are shaded in the same way. Its numbers are those of
+ * {@link radiometry}; all of it is computed in double. A ray leaves a surface by the error bound of the hit
+ * ({@link tracer.Hit#leave}), never by a constant in scene units.
  */
 package rendering;

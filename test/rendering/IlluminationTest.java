@@ -179,6 +179,19 @@ class IlluminationTest {
     }
   }
 
+  /** Radiance grows by the square of the index of refraction, whatever is reflected to and fro on the way. */
+  @Test
+  void cameraWithinGlassSeesTheSkyBrighter() {
+    final Group3D scene = group(new Sphere(new Point3D(), 1, GLASS));
+    final double sky = new ReflectanceRGB(SKY).getR() / 10.0;
+    final RandomNumbers numbers = new RandomNumbers("within glass");
+    for (int i = 0; i < 100; i++) {
+      final Point3D to = numbers.pointAbout(new Point3D(), 0.5);
+      assertEquals(2.25 * sky, radiance(scene, new LightGroup(), 12, new Point3D(), to).getR(), 1e-4 * sky,
+          () -> to + "; " + numbers);
+    }
+  }
+
   @Test
   void facingMirrorsOfDepthTenThousandComeToAnEnd() {
     final Group3D scene = group(floor(MIRROR),
