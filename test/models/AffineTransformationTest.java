@@ -9,10 +9,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
 
+import javax.vecmath.AxisAngle4d;
+import javax.vecmath.Matrix3d;
+import javax.vecmath.Vector3d;
 import javax.vecmath.Vector3f;
 
 import org.junit.jupiter.api.Test;
 
+import primitives.BoundingBox;
 import primitives.Point3D;
 import primitives.Vector3D;
 import tracer.Hit;
@@ -146,6 +150,38 @@ class AffineTransformationTest implements Object3DContract {
         new Box(new Point3D(), new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), 2, 2, 2, Color.RED));
     assertEquals(100 + Math.sqrt(2), turned.getBoundingBox().maxX(), 1e-4);
     assertEquals(1, turned.getBoundingBox().maxZ(), 1e-5);
+  }
+
+  /** The box is the least about the eight transformed corners, which are computed here one by one from T · R · S. */
+  @Test
+  void theBoxIsTheLeastAboutTheEightCorners() {
+    final Vector3f s = new Vector3f(2, -3, 5), axis = new Vector3f(1, 2, -4), d = new Vector3f(-70, 110, 13);
+    final float theta = 37;
+    final double[] half = {1, 1.5, 2}, centre = {7, -5, 3};
+    final Object3D box = new Box(new Point3D(7, -5, 3), new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), 2, 3, 4, Color.RED);
+    final Matrix3d rotation = new Matrix3d();
+    final Vector3d unit = new Vector3d(axis);
+    unit.normalize();
+    rotation.set(new AxisAngle4d(unit, Math.toRadians(theta)));
+    final double[] least = {1e9, 1e9, 1e9}, most = {-1e9, -1e9, -1e9};
+    for (int corner = 0; corner < 8; corner++) {
+      final Vector3d P = new Vector3d(s.x * (centre[0] + half[0] * (corner % 2 * 2 - 1)),
+          s.y * (centre[1] + half[1] * (corner / 2 % 2 * 2 - 1)), s.z * (centre[2] + half[2] * (corner / 4 * 2 - 1)));
+      rotation.transform(P);
+      P.add(new Vector3d(d));
+      final double[] p = {P.x, P.y, P.z};
+      for (int i = 0; i < 3; i++) {
+        least[i] = Math.min(least[i], p[i]);
+        most[i] = Math.max(most[i], p[i]);
+      }
+    }
+    final BoundingBox found = new AffineTransformation(s, axis, theta, d, box).getBoundingBox();
+    final float[] min = {found.minX(), found.minY(), found.minZ()}, max = {found.maxX(), found.maxY(), found.maxZ()};
+    for (int i = 0; i < 3; i++) {
+      assertTrue(min[i] <= least[i] && max[i] >= most[i], found::toString);
+      assertEquals(least[i], min[i], 3e-5, found::toString);
+      assertEquals(most[i], max[i], 3e-5, found::toString);
+    }
   }
 
   @Test

@@ -3,6 +3,7 @@ package models;
 import static models.HitAssertions.assertHit;
 import static models.HitAssertions.assertMiss;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
@@ -93,6 +94,51 @@ class TriangleTest implements Object3DContract {
     for (final float[] at : new float[][] {{-least, 1}, {1, -least}, {Math.nextUp(1.5f), 2}, {1.5f, Math.nextUp(2f)},
         {Math.nextUp(3f), 0}, {0, Math.nextUp(4f)}, {3, 4}}) {
       assertMiss(RIGHT, new Ray(new Point3D(at[0], at[1], 9), new Vector3D(0, 0, -1)));
+    }
+  }
+
+  /**
+   * Vertices count as aligned if the height over the longest side is at most 2⁻²⁴ of the greatest coordinate: with a longest
+   * side of the length of that coordinate, along each axis, for each vertex that has it, and with either sign.
+   */
+  @Test
+  void verticesAreAlignedUpToTheRoundingOfTheirGreatestCoordinate() {
+    final int[][] orders = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    for (final float greatest : new float[] {1, -1, 1e-20f, -3e20f}) {
+      for (final int[] order : orders) {
+        for (int axis = 0; axis < 3; axis++) {
+          final float height = Math.abs(greatest) * 0x1p-24f;
+          assertEquals(true, isTriangle(greatest, 1.02f * height, axis, order));
+          assertEquals(false, isTriangle(greatest, 0.98f * height, axis, order));
+        }
+      }
+    }
+  }
+
+  /** (g, 0, 0), (0, 0, 0) and (0.4 g, h, 0), with the coordinates turned round and the vertices in some order. */
+  private static boolean isTriangle(final float greatest, final float height, final int axis, final int... order) {
+    final float[][] vertices = {{greatest, 0, 0}, {0, 0, 0}, {0.4f * greatest, height, 0}};
+    final Point3D[] P = new Point3D[3];
+    for (int i = 0; i < 3; i++) {
+      final float[] v = vertices[order[i]];
+      P[i] = new Point3D(v[(3 - axis) % 3], v[(4 - axis) % 3], v[(5 - axis) % 3]);
+    }
+    try {
+      return new Triangle(P[0], P[1], P[2], Color.BLUE) != null;
+    } catch (final IllegalArgumentException aligned) {
+      return false;
+    }
+  }
+
+  /** The same far from the origin, where the coordinate of all three that does not change is the greatest. */
+  @Test
+  void aThinTriangleFarAwayIsNone() {
+    for (final float far : new float[] {64, -64}) {
+      final float thin = 0x1p-19f, ample = 0x1p-17f;
+      assertThrows(IllegalArgumentException.class, () -> new Triangle(new Point3D(0, 0, far), new Point3D(1, 0, far),
+          new Point3D(0.5f, thin, far), Color.BLUE));
+      assertEquals(far, new Triangle(new Point3D(0, 0, far), new Point3D(1, 0, far), new Point3D(0.5f, ample, far),
+          Color.BLUE).getBoundingBox().minZ());
     }
   }
 

@@ -1,5 +1,6 @@
 package primitives;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
@@ -91,6 +92,41 @@ class BoundingBoxTest {
     final BoundingBox mirrored = BoundingBox.between(-1.1, -1.3, -1.7, -0.1, -0.2, -0.7);
     assertTrue(mirrored.minX() < -1.1 && mirrored.minY() < -1.3 && mirrored.minZ() < -1.7, mirrored::toString);
     assertTrue(mirrored.maxX() > -0.1 && mirrored.maxY() > -0.2 && mirrored.maxZ() > -0.7, mirrored::toString);
+  }
+
+  /** Of a box of doubles each side is the float next to the rounded one, outwards; none is farther out. */
+  @Test
+  void everySideOfABoxOfDoublesIsTheNextFloatOutwards() {
+    assertSides(BoundingBox.between(1, 2, 3, 5, 6, 7), Math.nextDown(1f), Math.nextDown(2f), Math.nextDown(3f),
+        Math.nextUp(5f), Math.nextUp(6f), Math.nextUp(7f));
+    assertSides(BoundingBox.between(-7, -6, -5, -3, -2, -1), Math.nextDown(-7f), Math.nextDown(-6f), Math.nextDown(-5f),
+        Math.nextUp(-3f), Math.nextUp(-2f), Math.nextUp(-1f));
+  }
+
+  /** Where a side comes to lie at 0, it is moved outwards by 2⁻⁴⁸ of centre and half extent, on every axis and either side. */
+  @Test
+  void everySideThatLiesAtZeroIsWidenedByTheRoundingOfDoubles() {
+    final float x = Math.nextUp(0x1p-48f * 10), y = Math.nextUp(0x1p-48f * 14), z = Math.nextUp(0x1p-48f * 18);
+    final float farX = Math.nextUp(10f), farY = Math.nextUp(14f), farZ = Math.nextUp(18f);
+    assertSides(BoundingBox.around(5, 7, 9, 5, 7, 9), -x, -y, -z, farX, farY, farZ);
+    assertSides(BoundingBox.around(-5, -7, -9, 5, 7, 9), -farX, -farY, -farZ, x, y, z);
+    assertSides(BoundingBox.around(0, 0, 0, 0, 0, 0), -Float.MIN_VALUE, -Float.MIN_VALUE, -Float.MIN_VALUE,
+        Float.MIN_VALUE, Float.MIN_VALUE, Float.MIN_VALUE);
+  }
+
+  private static void assertSides(final BoundingBox box, final float... sides) {
+    assertArrayEquals(sides, new float[] {box.minX(), box.minY(), box.minZ(), box.maxX(), box.maxY(), box.maxZ()},
+        box::toString);
+  }
+
+  @Test
+  void aBoxOfOneNaNIsUnbounded() {
+    for (int i = 0; i < 6; i++) {
+      final double[] v = {1, 2, 3, 5, 6, 7};
+      v[i] = Double.NaN;
+      assertSame(BoundingBox.UNBOUNDED, BoundingBox.between(v[0], v[1], v[2], v[3], v[4], v[5]));
+      assertSame(BoundingBox.UNBOUNDED, BoundingBox.around(v[0], v[1], v[2], v[3], v[4], v[5]));
+    }
   }
 
   @Test
