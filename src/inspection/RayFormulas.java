@@ -41,8 +41,9 @@ final class RayFormulas {
     if (projection instanceof Orthographic) {
       orthographic((float) x, (float) y);
     } else if (projection instanceof Perspective) {
-      add("z", "", "", -1);
-      throughPoint((float) x, (float) y, -1);
+      final double z = projection.zAt(x, y);
+      add("z", "", "", z);
+      throughPoint((float) x, (float) y, (float) z);
     } else {
       FishEyeCap.of(projection).ifPresent(cap -> throughCap(cap, x, y, ray));
     }
@@ -55,10 +56,11 @@ final class RayFormulas {
   }
 
   private void orthographic(final float x, final float y) {
-    add("z", "", "", 0);
-    final Point3D R = new Point3D(x, y, 0);
+    final float z = (float) projection.zAt(x, y);
+    add("z", "", "", z);
+    final Point3D R = new Point3D(x, y, z);
     camera.toSceneCoordinates(R);
-    formulas.add(new Formula("R", "V + x·i + y·j", sum(x, y, 0), Numbers.text(R)));
+    formulas.add(new Formula("R", "V + x·i + y·j", sum(x, y, z), Numbers.text(R)));
     formulas.add(new Formula("v", "look", "", Numbers.text(camera.getLook())));
   }
 
@@ -99,8 +101,8 @@ final class RayFormulas {
       return;
     }
     final String numbers = "−√(" + Numbers.text(cap.radius2()) + " − " + Numbers.text(rho * rho) + ")";
-    add("z", "−√(" + cap.radius2Name() + " − ρ²)", numbers, cap.z(rho));
-    throughPoint((float) x, (float) y, (float) cap.z(rho));
+    add("z", "−√(" + cap.radius2Name() + " − ρ²)", numbers, projection.zAt(x, y));
+    throughPoint((float) x, (float) y, (float) projection.zAt(x, y));
   }
 
   private void add(final String symbol, final String general, final String numbers, final double value) {

@@ -2,8 +2,6 @@ package view;
 
 import static arguments.Arguments.between;
 
-import acceleration.RayTile;
-import tracer.Ray;
 import tracer.RayGenerator;
 
 /**
@@ -35,47 +33,18 @@ public class Angular extends Projection {
     return new AngularRayGenerator(holding(camera), W, H);
   }
 
-  /** Rays from the camera through the points of the cap above (x, y), whose sphere has radius 1 / cos(ω/2). */
-  static class AngularRayGenerator extends RayGenerator {
+  /** The cap: part of a sphere of radius 1 / cos(ω/2), the square of which is 1 + tan²(ω/2). */
+  @Override
+  public double zAt(final double x, final double y) {
+    final double rho2 = x * x + y * y;
+    return rho2 <= rim2 ? -Math.sqrt(1 + rim2 - rho2) : Double.NaN;
+  }
 
-    private final Camera camera;
-    private final Angular projection;
+  /** Rays from the camera through the points of the cap. */
+  static class AngularRayGenerator extends CentralRayGenerator {
 
     AngularRayGenerator(final Camera camera, final int W, final int H) {
       super(camera, W, H);
-      this.camera = camera;
-      this.projection = (Angular) camera.getProjection();
-    }
-
-    @Override
-    public Ray getRay(final int m, final int n) {
-      checkPixel(m, n);
-      final double a = projection.columnCentre(m, getWidth()), b = projection.rowCentre(n, getHeight()), z = z(a, b);
-      return z < 0 ? Ray.towards(camera.eyeX(), camera.eyeY(), camera.eyeZ(),
-          camera.vectorX(a, b, z), camera.vectorY(a, b, z), camera.vectorZ(a, b, z)) : Ray.NORAY;
-    }
-
-    @Override
-    public void fill(final RayTile tile, final int m, final int n) {
-      checkTile(tile, m, n);
-      final double eyeX = camera.eyeX(), eyeY = camera.eyeY(), eyeZ = camera.eyeZ();
-      final double[] x = projection.columnCentres(m, tile.columns(), getWidth());
-      for (int row = 0; row < tile.rows(); row++) {
-        final double b = projection.rowCentre(n + row, getHeight());
-        for (int column = 0; column < tile.columns(); column++) {
-          final double a = x[column], z = z(a, b);
-          if (z < 0) {
-            tile.put(row * RayTile.SIZE + column, eyeX, eyeY, eyeZ,
-                camera.vectorX(a, b, z), camera.vectorY(a, b, z), camera.vectorZ(a, b, z));
-          }
-        }
-      }
-    }
-
-    /** z of the cap above a point of the window; 0 outside the circle. */
-    private double z(final double a, final double b) {
-      final double rho2 = a * a + b * b;
-      return rho2 <= projection.rim2 ? -Math.sqrt(1 + projection.rim2 - rho2) : 0;
     }
   }
 }

@@ -28,6 +28,12 @@ public class Orthographic extends Projection {
     return new OrthographicRayGenerator(holding(camera), W, H);
   }
 
+  /** The window contains the camera. */
+  @Override
+  public double zAt(final double x, final double y) {
+    return 0;
+  }
+
   /** Rays along the view from the points (x, y, 0) of the camera's frame. */
   static class OrthographicRayGenerator extends RayGenerator {
 
@@ -43,8 +49,8 @@ public class Orthographic extends Projection {
     @Override
     public Ray getRay(final int m, final int n) {
       checkPixel(m, n);
-      final double a = projection.columnCentre(m, getWidth()), b = projection.rowCentre(n, getHeight());
-      return Ray.towards(camera.pointX(a, b), camera.pointY(a, b), camera.pointZ(a, b),
+      final double x = projection.columnCentre(m, getWidth()), y = projection.rowCentre(n, getHeight());
+      return Ray.towards(camera.pointX(x, y), camera.pointY(x, y), camera.pointZ(x, y),
           camera.vectorX(0, 0, -1), camera.vectorY(0, 0, -1), camera.vectorZ(0, 0, -1));
     }
 
@@ -52,12 +58,12 @@ public class Orthographic extends Projection {
     public void fill(final RayTile tile, final int m, final int n) {
       checkTile(tile, m, n);
       final double dx = camera.vectorX(0, 0, -1), dy = camera.vectorY(0, 0, -1), dz = camera.vectorZ(0, 0, -1);
-      final double[] x = projection.columnCentres(m, tile.columns(), getWidth());
+      final double[] columns = projection.columnCentres(m, tile.columns(), getWidth());
       for (int row = 0; row < tile.rows(); row++) {
-        final double b = projection.rowCentre(n + row, getHeight());
+        final double y = projection.rowCentre(n + row, getHeight());
         for (int column = 0; column < tile.columns(); column++) {
-          final double a = x[column];
-          tile.put(row * RayTile.SIZE + column, camera.pointX(a, b), camera.pointY(a, b), camera.pointZ(a, b), dx, dy, dz);
+          final double x = columns[column];
+          tile.put(row * RayTile.SIZE + column, camera.pointX(x, y), camera.pointY(x, y), camera.pointZ(x, y), dx, dy, dz);
         }
       }
     }

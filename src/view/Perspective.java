@@ -5,7 +5,6 @@ import static arguments.Arguments.positive;
 
 import acceleration.Pencil;
 import acceleration.RayTile;
-import tracer.Ray;
 import tracer.RayGenerator;
 
 /**
@@ -34,26 +33,19 @@ public class Perspective extends Projection {
     return new PerspectiveRayGenerator(holding(camera), W, H);
   }
 
-  /** Rays from the camera through the points (x, y, −1) of its frame. */
-  static class PerspectiveRayGenerator extends RayGenerator {
+  @Override
+  public double zAt(final double x, final double y) {
+    return -1;
+  }
 
-    private final Camera camera;
-    private final Projection projection;
+  /** Rays from the camera through the points of the window; a tile makes them by itself, all at once. */
+  static class PerspectiveRayGenerator extends CentralRayGenerator {
+
     private final Pencil pencil;
 
     PerspectiveRayGenerator(final Camera camera, final int W, final int H) {
       super(camera, W, H);
-      this.camera = camera;
-      this.projection = camera.getProjection();
       this.pencil = camera.pencil();
-    }
-
-    @Override
-    public Ray getRay(final int m, final int n) {
-      checkPixel(m, n);
-      final double a = projection.columnCentre(m, getWidth()), b = projection.rowCentre(n, getHeight());
-      return Ray.towards(camera.eyeX(), camera.eyeY(), camera.eyeZ(),
-          camera.vectorX(a, b, -1), camera.vectorY(a, b, -1), camera.vectorZ(a, b, -1));
     }
 
     @Override

@@ -35,6 +35,18 @@ public abstract class Projection {
   }
 
   /**
+   * The rule of the projection: at which z, in the camera's frame, the ray of a point of the window goes through (x, y, z).
+   * Rays of the library's projections start in the camera, except parallel ones, which start there.
+   *
+   * @param x first coordinate of a point of the window, from −w/2 to w/2
+   * @param y second coordinate, from −h/2 to h/2
+   * @return z; NaN where there is no ray, and by default everywhere, for a projection whose rays follow another rule
+   */
+  public double zAt(final double x, final double y) {
+    return Double.NaN;
+  }
+
+  /**
    * The rays of a camera, by this projection.
    *
    * @param camera the camera, which must hold this projection

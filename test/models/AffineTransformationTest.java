@@ -155,8 +155,13 @@ class AffineTransformationTest implements Object3DContract {
   /** The box is the least about the eight transformed corners, which are computed here one by one from T · R · S. */
   @Test
   void theBoxIsTheLeastAboutTheEightCorners() {
-    final Vector3f s = new Vector3f(2, -3, 5), axis = new Vector3f(1, 2, -4), d = new Vector3f(-70, 110, 13);
-    final float theta = 37;
+    for (final float theta : new float[] {37, -37, 120, 200}) {
+      theBoxIsTheLeastAboutTheEightCorners(new Vector3f(2, -3, 5), new Vector3f(1, 2, -4), theta, new Vector3f(-70, 110, 13));
+    }
+  }
+
+  private static void theBoxIsTheLeastAboutTheEightCorners(final Vector3f s, final Vector3f axis, final float theta,
+      final Vector3f d) {
     final double[] half = {1, 1.5, 2}, centre = {7, -5, 3};
     final Object3D box = new Box(new Point3D(7, -5, 3), new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), 2, 3, 4, Color.RED);
     final Matrix3d rotation = new Matrix3d();
