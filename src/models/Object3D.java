@@ -137,8 +137,10 @@ public abstract class Object3D {
    *
    * @param hit the hit, whose object is this one
    * @return the colour; by default {@link #getColor()}
+   * @throws IllegalArgumentException if the hit is null
    */
   public Color getColorAt(final Hit hit) {
+    notNull("hit", hit);
     return getColor();
   }
 

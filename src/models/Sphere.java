@@ -126,10 +126,12 @@ public class Sphere extends Object3D {
    *
    * @param hit the hit, whose object is this one
    * @return the colour
+   * @throws IllegalArgumentException if the hit is null
    */
   @Override
   public Color getColorAt(final Hit hit) {
-    return texture == null || Double.isNaN(hit.textureU()) ? getColor() : texture.getColor(hit.textureU(), hit.textureV());
+    return texture == null || Double.isNaN(notNull("hit", hit).textureU()) ? super.getColorAt(hit)
+        : texture.getColor(hit.textureU(), hit.textureV());
   }
 
   @Override

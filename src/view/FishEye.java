@@ -7,8 +7,8 @@ import tracer.Ray;
 import tracer.RayGenerator;
 
 /**
- * The projection {@code angular} of scene files: a fish-eye with an opening of up to 180°, which {@link Angular} cannot have,
- * since its window is the tangent of half the opening.
+ * The projection {@code angular} of scene files: a fish-eye with an opening of up to 180°, which {@link Angular} cannot
+ * have, since its window is the tangent of half the opening.
  *
  * <p>The scene is seen through a cap of the unit sphere about the camera. The window is square, w = h = 2 sin(fov/2),
  * and the pixel at (x, y) looks through the point of the cap in front of it, along (x, y, −√(1 − x² − y²)). These are the

@@ -156,7 +156,8 @@ class AffineTransformationTest implements Object3DContract {
   @Test
   void theBoxIsTheLeastAboutTheEightCorners() {
     for (final float theta : new float[] {37, -37, 120, 200}) {
-      theBoxIsTheLeastAboutTheEightCorners(new Vector3f(2, -3, 5), new Vector3f(1, 2, -4), theta, new Vector3f(-70, 110, 13));
+      final Vector3f s = new Vector3f(2, -3, 5), axis = new Vector3f(1, 2, -4), d = new Vector3f(-70, 110, 13);
+      theBoxIsTheLeastAboutTheEightCorners(s, axis, theta, d);
     }
   }
 

@@ -20,6 +20,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 
+import javax.vecmath.TexCoord2f;
 import javax.vecmath.Vector3f;
 
 import org.junit.jupiter.params.ParameterizedTest;
@@ -102,7 +103,8 @@ class ExtremeNumbersTest {
       if (!canMake(type)) {
         return null;
       }
-      values[i] = value(type, random, wildness);
+      final String generic = called.getGenericParameterTypes()[i].getTypeName();
+      values[i] = type == Map.class ? map(generic, random, wildness) : value(type, random, wildness);
     }
     try {
       final Object answer = called instanceof Method ? ((Method) called).invoke(on, values)
@@ -175,6 +177,16 @@ class ExtremeNumbersTest {
     return other(type, random, wildness);
   }
 
+  /** A map of four points, vectors or texture coordinates, as its generic type says. */
+  private Map<Integer, Object> map(final String generic, final Random random, final int wildness) {
+    final Map<Integer, Object> map = new HashMap<>();
+    for (int i = 1; i < 5; i++) {
+      map.put(i, generic.contains("TexCoord2f") ? new TexCoord2f(number(random, wildness), number(random, wildness))
+          : value(generic.contains("Vector3D") ? Vector3D.class : Point3D.class, random, wildness));
+    }
+    return map;
+  }
+
   private Object other(final Class<?> type, final Random random, final int wildness) {
     if (type == Ray.class) {
       return ray(random, wildness);
@@ -187,13 +199,6 @@ class ExtremeNumbersTest {
     }
     if (type == Texture.class) {
       return new Texture(new BufferedImage(3, 2, BufferedImage.TYPE_INT_ARGB));
-    }
-    if (type == Map.class) {
-      final Map<Integer, Point3D> vertices = new HashMap<>();
-      for (int i = 1; i < 5; i++) {
-        vertices.put(i, (Point3D) value(Point3D.class, random, wildness));
-      }
-      return vertices;
     }
     if (type == List.class) {
       return List.of("1 2 3", "1 3 4");

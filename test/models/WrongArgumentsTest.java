@@ -110,6 +110,8 @@ class WrongArgumentsTest {
     point("C", C -> new Sphere(C, 1, TEXTURE));
     size("r", r -> new Sphere(O, r, TEXTURE));
     wrong("texture", "null", () -> new Sphere(O, 1, (Texture) null));
+    wrong("hit", "null", () -> new Sphere(O, 1, TEXTURE).getColorAt(null));
+    wrong("hit", "null", () -> BALL.getColorAt(null));
     point("P", P -> new Plane(P, V, RED));
     direction("n", n -> new Plane(O, n, RED));
     wrong("color", "null", () -> new Plane(O, V, (Color) null));

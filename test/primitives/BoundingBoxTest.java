@@ -103,7 +103,7 @@ class BoundingBoxTest {
         Math.nextUp(-3f), Math.nextUp(-2f), Math.nextUp(-1f));
   }
 
-  /** Where a side comes to lie at 0, it is moved outwards by 2⁻⁴⁸ of centre and half extent, on every axis and either side. */
+  /** A side that comes to lie at 0 is moved outwards by 2⁻⁴⁸ of centre and half extent, on every axis and either side. */
   @Test
   void everySideThatLiesAtZeroIsWidenedByTheRoundingOfDoubles() {
     final float x = Math.nextUp(0x1p-48f * 10), y = Math.nextUp(0x1p-48f * 14), z = Math.nextUp(0x1p-48f * 18);
