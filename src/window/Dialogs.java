@@ -26,6 +26,7 @@ import inspection.Inspection;
 import inspection.Intersection;
 import inspection.LightRays;
 import inspection.Wireframe;
+import rendering.RenderPass;
 import tracer.Hit;
 import upnatray.PngFile;
 import upnatray.RenderJob;
@@ -39,6 +40,7 @@ final class Dialogs {
   private final LatestOnlyExecutor reading = new LatestOnlyExecutor("reference");
   private JDialog wireframeDialog;
   private Comparison comparison;
+  private LightsDialog lights;
 
   Dialogs(final RenderWindow window) {
     this.window = window;
@@ -152,6 +154,24 @@ final class Dialogs {
     }
   }
 
+  /** Opens the list of lights, if the picture that is shown is a lit one. */
+  void showLights(final RenderJob job) {
+    closeLights();
+    if (job.scene().isLit() && job.view() == RenderPass.COLOUR) {
+      lights = new LightsDialog(window, job);
+    } else {
+      window.status().showText(Messages.text("window.lights.notLit"));
+    }
+  }
+
+  /** Closes the list of lights: another picture is shown. */
+  void closeLights() {
+    if (lights != null) {
+      lights.close();
+      lights = null;
+    }
+  }
+
   /** Opens the wireframe view. */
   void showWireframe(final RenderJob job) {
     wireframe.setLines(Wireframe.of(job.scene(), job.image().getWidth(), job.image().getHeight()));
@@ -194,5 +214,6 @@ final class Dialogs {
       wireframeDialog.dispose();
     }
     endComparison();
+    closeLights();
   }
 }

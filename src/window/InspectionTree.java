@@ -1,5 +1,6 @@
 package window;
 
+import java.awt.Color;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -126,6 +127,19 @@ final class InspectionTree {
     if (hit.hits()) {
       node.add(node("inspect.point", Numbers.text(hit.getPoint())));
       node.add(node("inspect.normal", Numbers.text(hit.getNormal())));
+      addSurface(node, hit);
+    }
+  }
+
+  /** What a smooth or textured surface adds: the normal of the facet, the texture coordinates and the colour there. */
+  private static void addSurface(final DefaultMutableTreeNode node, final Hit hit) {
+    if (!hit.getGeometricNormal().equals(hit.getNormal())) {
+      node.add(node("inspect.geometricNormal", Numbers.text(hit.getGeometricNormal())));
+    }
+    if (!Double.isNaN(hit.textureU()) && !Double.isNaN(hit.textureV())) {
+      final Color color = hit.getObject().getColorAt(hit);
+      node.add(node("inspect.texture", Numbers.text((float) hit.textureU()), Numbers.text((float) hit.textureV()),
+          colour(color.getRGB())));
     }
   }
 

@@ -92,6 +92,7 @@ final class MenuBar extends JMenuBar {
     menu.add(Command.ofMenu("zoomOut", KeyEvent.VK_MINUS, () -> window.view().zoomBy(1 / STEP)));
     menu.addSeparator();
     menu.add(Command.ofMenu("wireframe", KeyEvent.VK_E, window::showWireframe));
+    menu.add(Command.ofMenu("lights", KeyEvent.VK_G, window::showLights));
     final JCheckBoxMenuItem dark = new JCheckBoxMenuItem(Command.ofMenu("dark", KeyEvent.VK_L, window::switchTheme));
     dark.setSelected(window.settings().isDark());
     menu.add(dark);

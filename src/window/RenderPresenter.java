@@ -64,6 +64,7 @@ final class RenderPresenter implements BackgroundRenderer.Listener {
 
   @Override
   public void started(final RenderJob next, final ProgressivePicture nextPicture) {
+    window.dialogs().closeLights();
     job = next;
     picture = nextPicture;
     running = true;

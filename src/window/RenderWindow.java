@@ -211,6 +211,12 @@ public final class RenderWindow {
     }
   }
 
+  void showLights() {
+    if (job() != null) {
+      dialogs.showLights(job());
+    }
+  }
+
   void switchTheme() {
     settings.setDark(!settings.isDark());
     Theme.install(settings.isDark());

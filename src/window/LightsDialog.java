@@ -1,0 +1,136 @@
+package window;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.FlowLayout;
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.List;
+
+import javax.swing.BorderFactory;
+import javax.swing.BoxLayout;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JSlider;
+import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
+
+import arguments.Messages;
+import inspection.Numbers;
+import lights.Light;
+import upnatray.RenderJob;
+
+/** Switches the lights of the picture on and off, and limits the depth of recursion; what was rendered once is kept. */
+final class LightsDialog {
+
+  private final RenderWindow window;
+  private final RenderJob job;
+  private final LightMixer mixer;
+  private final JDialog dialog;
+  private final List<JCheckBox> boxes = new ArrayList<>();
+  private final JSlider depth;
+  private final LatestOnlyExecutor background = new LatestOnlyExecutor("lights");
+  private volatile Object request;
+
+  /** Opens for the lit picture that a window shows. */
+  LightsDialog(final RenderWindow window, final RenderJob job) {
+    this.window = window;
+    this.job = job;
+    this.mixer = new LightMixer(job.scene(), job.image().getWidth(), job.image().getHeight());
+    this.dialog = new JDialog(window.frame(), Messages.text("window.lights.title"));
+    this.depth = new JSlider(0, Math.max(1, job.scene().recursionDepth()), job.scene().recursionDepth());
+    dialog.setName("lights");
+    depth.setName("lights.depth");
+    depth.setMajorTickSpacing(1);
+    depth.setPaintTicks(true);
+    depth.setSnapToTicks(true);
+    depth.setEnabled(job.scene().recursionDepth() > 0);
+    depth.addChangeListener(event -> mix());
+    layOut();
+    dialog.setLocation(window.frame().getX() + 60, window.frame().getY() + 120);
+    WindowPlacement.fit(dialog);
+    dialog.setVisible(true);
+  }
+
+  private void layOut() {
+    final JPanel list = new JPanel();
+    list.setLayout(new BoxLayout(list, BoxLayout.Y_AXIS));
+    int number = 0;
+    for (final Light light : job.scene().lights().getLights()) {
+      final JCheckBox box = new JCheckBox(Messages.text("window.lights.light", ++number, light.getClass().getSimpleName(),
+          Numbers.text(light.getPosition())), true);
+      box.setName("lights." + number);
+      box.addActionListener(event -> mix());
+      boxes.add(box);
+      list.add(box);
+    }
+    final JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING));
+    final Command close = Command.of("lights.close", "ESCAPE", this::close);
+    buttons.add(new JButton(Command.of("lights.all", "", () -> setAll(true))));
+    buttons.add(new JButton(Command.of("lights.none", "", () -> setAll(false))));
+    buttons.add(new JButton(close)).setName("lights.close");
+    final JPanel bottom = new JPanel(new BorderLayout(8, 0));
+    final JLabel label = new JLabel(Messages.text("window.lights.depth"));
+    label.setLabelFor(depth);
+    bottom.add(label, BorderLayout.WEST);
+    bottom.add(depth, BorderLayout.CENTER);
+    bottom.add(buttons, BorderLayout.SOUTH);
+    final JPanel all = new JPanel(new BorderLayout(4, 8));
+    all.setBorder(BorderFactory.createEmptyBorder(8, 12, 6, 12));
+    final JScrollPane pane = new JScrollPane(list);
+    final Dimension size = list.getPreferredSize();
+    pane.setPreferredSize(new Dimension(size.width + 24, Math.min(260, size.height + 8)));
+    all.add(pane, BorderLayout.CENTER);
+    all.add(bottom, BorderLayout.SOUTH);
+    dialog.add(all);
+    dialog.getRootPane().registerKeyboardAction(close, KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
+    dialog.addWindowListener(new java.awt.event.WindowAdapter() {
+      @Override
+      public void windowClosing(final java.awt.event.WindowEvent event) {
+        close();
+      }
+    });
+    dialog.pack();
+  }
+
+  private void setAll(final boolean on) {
+    boxes.forEach(box -> box.setSelected(on));
+    mix();
+  }
+
+  /** Shows the mixture over the picture as soon as it is there. */
+  private void mix() {
+    if (depth.getValueIsAdjusting()) {
+      return;
+    }
+    final BitSet on = new BitSet();
+    for (int i = 0; i < boxes.size(); i++) {
+      on.set(i, boxes.get(i).isSelected());
+    }
+    final int levels = Math.min(depth.getValue(), job.scene().recursionDepth());
+    final Object mine = new Object();
+    request = mine;
+    background.execute(() -> {
+      final var picture = mixer.mix(on, levels, () -> request != mine);
+      SwingUtilities.invokeLater(() -> {
+        if (request == mine && picture != null && window.job() == job) {
+          window.view().setPreview(picture);
+        }
+      });
+    });
+  }
+
+  void close() {
+    request = null;
+    background.stop();
+    if (window.job() == job) {
+      window.view().setPreview(null);
+    }
+    dialog.dispose();
+  }
+}
