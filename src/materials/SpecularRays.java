@@ -99,7 +99,7 @@ public final class SpecularRays {
   /**
    * The index of refraction on the viewer's side, divided by that of the other side.
    *
-   * @return the ratio, &gt; 0
+   * @return the ratio, &gt; 0; 1 if nothing is refracted
    */
   public double ratio() {
     return ratio;
@@ -108,7 +108,7 @@ public final class SpecularRays {
   /**
    * The cosine of the angle between the refracted ray and −n.
    *
-   * @return from 0 to 1
+   * @return from 0 to 1; 1 if nothing is refracted
    */
   public double refractedCosine() {
     return refractedCosine;

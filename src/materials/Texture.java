@@ -1,7 +1,7 @@
 package materials;
 
 import static arguments.Arguments.notNull;
-import static arguments.Arguments.wrong;
+import static arguments.Arguments.within;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
@@ -51,10 +51,7 @@ public final class Texture {
    * @throws IllegalArgumentException if the opacity is out of range
    */
   public Texture withOpacity(final double opacity) {
-    if (!(opacity >= 0 && opacity <= 1)) {
-      throw wrong("between", "opacity", opacity, 0, 1);
-    }
-    return new Texture(this, opacity);
+    return new Texture(this, within("opacity", 0.0, 1.0, opacity));
   }
 
   private int mean(final int shift) {

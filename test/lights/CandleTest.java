@@ -57,13 +57,16 @@ class CandleTest implements LightContract {
       }
     };
     assertFalse(black.illuminate(0, 0, 0, new Incidence()));
-    final Light blue = new Candle(S, WARM, 1) {
-      @Override
-      public RadianceRGB getIrradianceAt(final Point3D P) {
-        return new RadianceRGB(0, 0, 1);
-      }
-    };
-    assertTrue(blue.illuminate(0, 0, 0, new Incidence()));
+    for (final RadianceRGB one : new RadianceRGB[] {new RadianceRGB(1, 0, 0), new RadianceRGB(0, 1, 0),
+      new RadianceRGB(0, 0, 1)}) {
+      final Light coloured = new Candle(S, WARM, 1) {
+        @Override
+        public RadianceRGB getIrradianceAt(final Point3D P) {
+          return one;
+        }
+      };
+      assertTrue(coloured.illuminate(0, 0, 0, new Incidence()), one::toString);
+    }
   }
 
   @Test

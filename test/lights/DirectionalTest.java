@@ -61,6 +61,22 @@ class DirectionalTest implements LightContract {
     assertSame(RadianceRGB.NORADIANCE, BEAM.getIrradianceAt(new Point3D(1, 5, 2)));
   }
 
+  /** In any direction and at any distance, up to the rounding of doubles. */
+  @Test
+  void theEdgeIsLitWhateverTheAxis() {
+    Trials.of(500, random -> {
+      final Point3D at = new Point3D((float) random.nextGaussian(), (float) random.nextGaussian(), 1);
+      final double length = Math.sqrt((double) at.x * at.x + (double) at.y * at.y + 1), x = at.x / length, y = at.y / length;
+      final double across = Math.sqrt(x * x + y * y), a = Math.exp(4 * random.nextGaussian());
+      final float r = (float) Math.exp(4 * random.nextGaussian());
+      for (final double relative : new double[] {-1e-9, 0, 1e-9}) {
+        final double b = r + relative * (r + a);
+        assertEquals(relative <= 0, new Directional(new Point3D(), at, r, SPECTRUM, 1).illuminate(a * x + b * y / across,
+            a * y - b * x / across, a / length, new Incidence()), () -> "radius " + r + " at " + a);
+      }
+    });
+  }
+
   /** A point behind the disc is told the point of the disc before it, too. */
   @Test
   void theDiscIsPlane() {

@@ -67,6 +67,22 @@ class SpotTest implements LightContract {
     assertFalse(lights(cone(45), 0, 0, 0), "the light itself");
   }
 
+  /** In any direction and at any distance, up to the rounding of doubles. */
+  @Test
+  void theEdgeIsLitWhateverTheAxis() {
+    Trials.of(500, random -> {
+      final Point3D at = new Point3D((float) random.nextGaussian(), (float) random.nextGaussian(), 1);
+      final double length = Math.sqrt((double) at.x * at.x + (double) at.y * at.y + 1), x = at.x / length, y = at.y / length;
+      final double across = Math.sqrt(x * x + y * y), far = Math.exp(8 * random.nextGaussian());
+      final float aperture = 90 * (1 - random.nextFloat());
+      for (final double relative : new double[] {-1e-9, 0, 1e-9}) {
+        final double angle = Math.toRadians(aperture) * (1 + relative), a = far * Math.cos(angle), b = far * Math.sin(angle);
+        assertEquals(relative <= 0, lights(new Spot(O, at, aperture, WHITE, 1), a * x + b * y / across,
+            a * y - b * x / across, a / length), () -> aperture + " degrees at " + far);
+      }
+    });
+  }
+
   /** The angle at the light decides, whatever the axis and the distance. */
   @Test
   void pointsAreLitWithinTheAngle() {

@@ -57,12 +57,13 @@ final class Directions {
     return new Vector3D((float) d[0], (float) d[1], (float) d[2]);
   }
 
-  /** f in the three channels, as renderers have it. */
+  /** f in the three channels, as renderers have it: what was written before does not matter. */
   static double[] f(final Material material, final double[] wi, final double[] wo, final double[] n, final boolean outside) {
     final SurfaceInteraction interaction = new SurfaceInteraction();
     interaction.setView(n[0], n[1], n[2], wo[0], wo[1], wo[2], outside);
     interaction.setIncident(wi[0], wi[1], wi[2]);
     interaction.setIrradiance(1, 1, 1);
+    interaction.setRadiance(7, 8, 9);
     material.scatter(interaction);
     return new double[] {interaction.radianceR(), interaction.radianceG(), interaction.radianceB()};
   }

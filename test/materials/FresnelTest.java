@@ -61,6 +61,7 @@ class FresnelTest {
       assertTrue(glass(eta, 1).getReflectance(Math.cos(critical - 1e-6), false) < 1);
       assertTrue(glass(eta, 1).specular(Math.cos(critical + 1e-6), false, rays));
       assertEquals("1.0 1.0 1.0 0.0 0.0 0.0", factors(rays));
+      assertEquals("1.0 1.0", rays.ratio() + " " + rays.refractedCosine(), "nothing is bent");
       assertTrue(glass(eta, 1).specular(Math.cos(critical - 1e-6), false, rays));
       assertTrue(rays.refractedR() > 0 && rays.refractedG() > 0 && rays.refractedB() > 0);
       assertTrue(glass(eta, 1).getReflectance(0.01, true) < 1, "never from outside");

@@ -88,6 +88,16 @@ class GlassTest {
   }
 
   @Test
+  void nothingIsSeenAlongTheSurface() {
+    final double[] along = {1, 0, 0};
+    for (final boolean outside : new boolean[] {true, false}) {
+      assertArrayEquals(new double[3], Directions.f(rough(new Blinn(90)), along, N, N, outside));
+      assertArrayEquals(new double[3], Directions.f(rough(new Blinn(90)), N, along, N, outside));
+      assertArrayEquals(new double[3], Directions.f(rough(new Blinn(90)), Directions.minus(N), along, N, outside));
+    }
+  }
+
+  @Test
   void polishedGlassIsIdeal() {
     for (final NormalDistributionFunction ndf : new NormalDistributionFunction[] {null, new GGX(0), new Blinn(0.09f)}) {
       assertFalse(rough(ndf).scatters());
@@ -95,6 +105,9 @@ class GlassTest {
       assertEquals(0, Directions.f(rough(ndf), N, N, N, true)[0]);
       assertEquals(0, Directions.f(rough(ndf), Directions.minus(N), N, N, true)[0]);
     }
+    assertEquals("TransmissiveCookTorrance(ReflectanceRGB(1.0, 1.0, 1.0), 1.5, 1.0, GGX(0.0))",
+        rough(new GGX(0)).toString());
+    assertEquals("IdealDielectric(null, 1.5, 1.25)", new IdealDielectric(null, 1.5f, 1.25f).toString());
     assertTrue(rough(new GGX(0.1f)).scatters() && rough(new GGX(0.1f)).transmits());
     final BTDF ideal = new IdealDielectric(WHITE, 1.5f, 1);
     assertFalse(ideal.scatters() || ideal.transmits());

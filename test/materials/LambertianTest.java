@@ -33,6 +33,14 @@ class LambertianTest implements BRDFContract {
   }
 
   @Test
+  void nothingIsSeenAlongTheSurface() {
+    final double[] n = {0, 0, 1}, along = {1, 0, 0};
+    assertArrayEquals(new double[3], Directions.f(brdf(), along, n, n, true));
+    assertArrayEquals(new double[3], Directions.f(brdf(), n, along, n, true));
+    assertTrue(Directions.f(brdf(), n, n, n, true)[0] > 0.3);
+  }
+
+  @Test
   void itDoesNotMirror() {
     assertNull(brdf().mirror(0));
     assertFalse(brdf().specular(0, true, new SpecularRays()));

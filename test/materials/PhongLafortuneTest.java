@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import org.junit.jupiter.api.Test;
 
+import primitives.Vector3D;
+import radiometry.RadianceRGB;
 import radiometry.ReflectanceRGB;
 
 class PhongLafortuneTest implements BRDFContract {
@@ -30,6 +32,20 @@ class PhongLafortuneTest implements BRDFContract {
     final double[] n = {0, 0, 1}, wi = Directions.polar(1, Math.PI), wo = Directions.polar(1, 0);
     final double q = -Math.log(2) / Math.log(Math.cos(Math.toRadians(15)));
     assertEquals((q + 2) / (8 * Math.PI * Math.cos(1) * Math.cos(1)), Directions.f(brdf(), wi, wo, n, true)[0], 1e-9);
+  }
+
+  /** In the open interface vectors may have any length; that is what floats make of unit vectors. */
+  @Test
+  void lengthsOfVectorsDoNotMatter() {
+    final double[] wi = Directions.unit(0.3, 0.4, 0.5), wo = Directions.unit(-0.2, -0.5, 0.6);
+    final double[] n = Directions.unit(0.1, -0.1, 1);
+    final Vector3D i = Directions.vector(2 * wi[0], 2 * wi[1], 2 * wi[2]);
+    final Vector3D o = Directions.vector(3 * wo[0], 3 * wo[1], 3 * wo[2]);
+    final Vector3D long5 = Directions.vector(5 * n[0], 5 * n[1], 5 * n[2]);
+    final RadianceRGB L = brdf().reflect(new RadianceRGB(1, 1, 1), i, o, long5);
+    final double[] f = Directions.f(brdf(), wi, wo, n, true);
+    assertEquals(f[0], L.getR(), 1e-5 * f[0]);
+    assertEquals(f[2], L.getB(), 1e-5 * f[2]);
   }
 
   @Test

@@ -102,7 +102,9 @@ class RoughMaterialsTest {
     assertArrayEquals(new double[] {r, g, b}, new double[] {factor.getR(), factor.getG(), factor.getB()}, 1e-7,
         material::toString);
     final SpecularRays rays = new SpecularRays();
+    rays.refract(7, 8, 9, 2, 0.5);
     assertTrue(material.specular(cosine, false, rays));
+    assertEquals("1.0 1.0", rays.ratio() + " " + rays.refractedCosine(), "nothing is bent");
     assertArrayEquals(new double[] {r, g, b, 0, 0, 0}, new double[] {rays.reflectedR(), rays.reflectedG(), rays.reflectedB(),
       rays.refractedR(), rays.refractedG(), rays.refractedB()}, 1e-7);
   }

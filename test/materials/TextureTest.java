@@ -114,6 +114,25 @@ class TextureTest {
   }
 
   @Test
+  void opacityMultipliesAlphaAlone() {
+    final Texture texture = new Texture(image(2, 1)), half = texture.withOpacity(0.5), none = texture.withOpacity(0);
+    assertEquals(0x40402000, half.getARGB(0.25, 0.5));
+    assertEquals(0x40402101, half.getARGB(0.75, 0.5));
+    assertEquals(0x00402101, none.getARGB(0.75, 0.5));
+    assertEquals(0x80402101, texture.withOpacity(1).getARGB(0.75, 0.5));
+    assertEquals(0x80402101, texture.getARGB(0.75, 0.5), "the texture itself stays");
+    assertEquals(64, half.getMeanColor().getAlpha());
+    assertEquals("Texture(2 x 1)", half.toString());
+    assertEquals(0x26402000, texture.withOpacity(0.3).getARGB(0.25, 0.5), "128 · 0.3 = 38.4");
+    assertEquals(0x27402000, texture.withOpacity(0.305).getARGB(0.25, 0.5), "128 · 0.305 = 39.04");
+    assertEquals(0x4D402000, texture.withOpacity(0.6).getARGB(0.25, 0.5), "128 · 0.6 = 76.8, rounded");
+    for (final double wrong : new double[] {-Double.MIN_VALUE, Math.nextUp(1.0), Double.NaN}) {
+      final String message = assertThrows(IllegalArgumentException.class, () -> texture.withOpacity(wrong)).getMessage();
+      assertTrue(message.startsWith("opacity must"), message);
+    }
+  }
+
+  @Test
   void greyIsWhatIsStored() throws IOException {
     final BufferedImage grey = new BufferedImage(256, 1, BufferedImage.TYPE_BYTE_GRAY);
     for (int i = 0; i < 256; i++) {
@@ -200,6 +219,9 @@ class TextureTest {
     final BufferedImage image = components(DataBuffer.TYPE_BYTE, linear, 3);
     image.getRaster().setPixel(0, 0, new int[] {20, 100, 200});
     assertTexel(20, 100, 200, 255, image, 0.5, 0.5);
+    final BufferedImage translucent = components(DataBuffer.TYPE_BYTE, linear, 4);
+    translucent.getRaster().setPixel(0, 0, new int[] {20, 100, 200, 30});
+    assertTexel(20, 100, 200, 30, translucent, 0.5, 0.5);
   }
 
   /** All kinds of images in memory with 8 bits a channel keep a colour. */

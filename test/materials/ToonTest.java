@@ -79,6 +79,14 @@ class ToonTest implements BRDFContract {
     }
   }
 
+  /** n·wi and n·wo are positive, never 0: the toon would divide by it. */
+  @Test
+  void lightOrViewerInTheSurfaceIsLeftOut() {
+    final double[] along = {1, 0, 0};
+    assertArrayEquals(new double[3], Directions.f(brdf(), along, N, N, true));
+    assertArrayEquals(new double[3], Directions.f(brdf(), N, along, N, true));
+  }
+
   @Test
   void nullIsNamed() {
     final BRDF nothing = new BRDF() {
@@ -100,6 +108,7 @@ class ToonTest implements BRDFContract {
       }
     };
     final SpecularRays rays = new SpecularRays();
+    rays.refract(7, 8, 9, 2, 0.5);
     assertTrue(mirror.specular(0.5, true, rays));
     assertArrayEquals(new double[] {0.5, 0.25, 1, 0, 0, 0},
         new double[] {rays.reflectedR(), rays.reflectedG(), rays.reflectedB(), rays.refractedR(), rays.refractedG(),
