@@ -37,6 +37,9 @@ import tracer.Ray;
 /** Shadows: their edges, where things touch, what sees a light, and lights at odd places. */
 class ShadowTest {
 
+  private static final TriangularMesh OCTAHEDRON = TriangularMesh.of(
+      new float[] {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1},
+      new int[] {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5}, Color.RED);
   private static final SpectrumRGB WHITE = new SpectrumRGB(1f / 3, 1f / 3, 1f / 3);
 
   private static Group3D group(final Object3D... objects) {
@@ -127,11 +130,7 @@ class ShadowTest {
       final Point3D C = numbers.pointAbout(new Point3D(), s * Math.pow(10, numbers.between(-1, 4)));
       final Vector3D u = numbers.direction(), aux = numbers.direction();
       aux.cross(aux, u);
-      final List<Object3D> shapes = List.of(new Sphere(C, s, Color.RED), new Box(C, u, aux, s, s, s, Color.RED),
-          new Cylinder(C, u, 0.3f * s, s, Color.RED), new Capsule(C, u, 0.3f * s, s, Color.RED),
-          new Ellipsoid(C, u, aux, s, 0.4f * s, 0.2f * s, Color.RED), new Plane(C, u, Color.RED),
-          new AffineTransformation(new Vector3f(s, 0.2f * s, -s), u, 30, new Vector3f(C), octahedron()));
-      final Object3D shape = shapes.get(i % shapes.size());
+      final Object3D shape = shape(i % 7, C, u, aux, s);
       final Point3D eye = numbers.pointAbout(C, s * Math.pow(10, numbers.between(0.5, 4)));
       final Ray ray = new Ray(eye, numbers.pointAbout(C, 0.3 * s));
       final Group3D scene = group(shape);
@@ -147,14 +146,21 @@ class ShadowTest {
     assertTrue(lit > 1000, "too few lit points");
   }
 
+  private static Object3D shape(final int kind, final Point3D C, final Vector3D u, final Vector3D aux, final float s) {
+    return switch (kind) {
+      case 0 -> new Sphere(C, s, Color.RED);
+      case 1 -> new Box(C, u, aux, s, s, s, Color.RED);
+      case 2 -> new Cylinder(C, u, 0.3f * s, s, Color.RED);
+      case 3 -> new Capsule(C, u, 0.3f * s, s, Color.RED);
+      case 4 -> new Ellipsoid(C, u, aux, s, 0.4f * s, 0.2f * s, Color.RED);
+      case 5 -> new Plane(C, u, Color.RED);
+      default -> new AffineTransformation(new Vector3f(s, 0.2f * s, -s), u, 30, new Vector3f(C), OCTAHEDRON);
+    };
+  }
+
   private static double facing(final Hit hit, final Point3D S) {
     return (S.x - hit.pointX()) * hit.geometricX() + (S.y - hit.pointY()) * hit.geometricY()
         + (S.z - hit.pointZ()) * hit.geometricZ();
-  }
-
-  private static TriangularMesh octahedron() {
-    return TriangularMesh.of(new float[] {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1},
-        new int[] {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5}, Color.RED);
   }
 
   @Test
