@@ -19,9 +19,7 @@ class DecimalParserTest {
 
   private void assertAsTheJdk(final String text) {
     final byte[] bytes = (text + " ").getBytes(StandardCharsets.ISO_8859_1);
-    assertEquals(Float.floatToRawIntBits(Float.parseFloat(text)),
-        Float.floatToRawIntBits((float) parser.parse(bytes, 0)), text);
-    assertEquals(Double.parseDouble(text), parser.parse(bytes, 0), 2 * Math.ulp(Double.parseDouble(text)), text);
+    assertEquals(Double.parseDouble(text), parser.parse(bytes, 0), text);
     assertEquals(text.length(), parser.end(), text);
   }
 
@@ -50,17 +48,6 @@ class DecimalParserTest {
     final byte[] bytes = "ab1.5e+x".getBytes(StandardCharsets.ISO_8859_1);
     assertEquals(1.5, parser.parse(bytes, 2));
     assertEquals(5, parser.end());
-  }
-
-  /** As programs write them: up to 15 digits and a moderate exponent. */
-  @Test
-  void commonNumbersAreExactlyTheDoublesOfTheJdk() {
-    Trials.of(300_000, random -> {
-      final long digits = Math.abs(random.nextLong() % 1_000_000_000_000_000L);
-      final String text = new BigDecimal(java.math.BigInteger.valueOf(digits), random.nextInt(20)).toPlainString();
-      final byte[] bytes = (text + " ").getBytes(StandardCharsets.ISO_8859_1);
-      assertEquals(Double.parseDouble(text), parser.parse(bytes, 0), text);
-    });
   }
 
   @Test

@@ -1,11 +1,13 @@
 package scenes;
 
+import java.awt.Color;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
+import java.util.Random;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -13,9 +15,18 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
 import diagnostics.Problem;
+import meshes.MaterialFiles;
+import meshes.ObjMesh;
 import meshes.ObjReader;
+import meshes.TextureFile;
+import models.Appearance;
+import models.MeshData;
+import models.TriangularMesh;
+import primitives.Point3D;
+import primitives.Vector3D;
 import scenes.Mutations.Kind;
 import tracer.Hit;
+import tracer.Ray;
 import tracer.RayGenerator;
 
 /**
@@ -38,6 +49,7 @@ final class Fuzz implements AutoCloseable {
   Fuzz(final Path folder) throws IOException {
     this.folder = Files.createDirectories(folder);
     Files.writeString(folder.resolve(Mutations.MESH_FILE), Mutations.MESH);
+    Files.write(folder.resolve(Mutations.IMAGE_FILE), Mutations.image("PNG", new Random(1)));
   }
 
   /** A thread of its own for the reading, as nothing else could be said of a reader that does not come to an end. */
@@ -78,10 +90,11 @@ final class Fuzz implements AutoCloseable {
   /** What is wrong with the reading of the file of a seed; null if nothing is. */
   String finding(final Kind kind, final long seed) throws IOException, InterruptedException {
     final byte[] bytes = mutations.file(kind, seed);
-    final Path file = Files.write(folder.resolve(kind.isScene() ? "fuzz.xml" : "fuzz.obj"), bytes);
+    final Path file = Files.write(folder.resolve(kind.isScene() ? "fuzz.xml" : kind.isImage() ? "fuzz.image"
+        : kind.isMaterial() ? Mutations.MATERIAL_FILE : "fuzz.obj"), bytes);
     try {
-      return reader.submit(() -> kind.isScene() ? ofScene(file, bytes) : ofMesh(file, bytes))
-          .get(LONGEST_SECONDS, TimeUnit.SECONDS);
+      return reader.submit(() -> kind.isScene() ? ofScene(file, bytes) : kind.isImage() ? ofImage(file)
+          : kind.isMaterial() ? ofMaterials(file, bytes) : ofMesh(file, bytes)).get(LONGEST_SECONDS, TimeUnit.SECONDS);
     } catch (final ExecutionException failure) {
       final StackTraceElement[] where = failure.getCause().getStackTrace();
       return failure.getCause() + (where.length > 0 ? " at " + where[0] : "");
@@ -99,8 +112,43 @@ final class Fuzz implements AutoCloseable {
   }
 
   private static String ofMesh(final Path file, final byte[] bytes) {
-    final ObjReader.Result reading = new ObjReader(file).read();
-    return ofProblems(reading.problems(), reading.mesh() != null, file, bytes);
+    final ObjReader.Result reading = new ObjReader(file, true).read();
+    final String finding = ofProblems(reading.problems(), reading.mesh() != null, file, bytes);
+    return finding != null || reading.mesh() == null ? finding : ofHits(reading.mesh().smooth());
+  }
+
+  /** What is wrong with hits of a mesh; that all its triangles vanish in floats is not. */
+  private static String ofHits(final MeshData data) {
+    final TriangularMesh mesh;
+    try {
+      mesh = TriangularMesh.of(data, Appearance.of(Color.RED));
+    } catch (final IllegalArgumentException nothingLeft) {
+      return null;
+    }
+    for (int i = 0; i < W * H; i++) {
+      final Hit hit = mesh.intersectionWith(new Ray(new Point3D(0.4f * i, 0.3f, 5), new Vector3D(0, 0, -1)));
+      if (hit.hits() && !Double.isFinite(hit.normalX() + hit.normalY() + hit.normalZ())) {
+        return "ray " + i + ": " + hit;
+      }
+    }
+    return null;
+  }
+
+  private static String ofMaterials(final Path file, final byte[] bytes) {
+    final Path mesh = file.resolveSibling(Mutations.MESH_FILE);
+    final ObjMesh read = new ObjReader(mesh, true).read().mesh();
+    final MaterialFiles materials = new MaterialFiles(mesh, read);
+    final TriangularMesh coloured = TriangularMesh.of(read.smooth(), materials.appearances(), materials.ofTriangles());
+    final Hit hit = coloured.intersectionWith(new Ray(new Point3D(0.6f, 0.3f, 5), new Vector3D(0, 0, -1)));
+    return hit.getObject().getColorAt(hit) == null ? "no colour" : ofProblems(materials.problems(), true, file, bytes);
+  }
+
+  private static String ofImage(final Path file) {
+    try {
+      return TextureFile.read(file).getMeanColor() == null ? "no colour" : null;
+    } catch (final TextureFile.UnusableException unusable) {
+      return unusable.getMessage().isBlank() || unusable.getMessage().lines().count() != 1 ? unusable.getMessage() : null;
+    }
   }
 
   private static String ofRays(final SceneFile scene) {
@@ -118,7 +166,7 @@ final class Fuzz implements AutoCloseable {
     if (sound == problems.stream().anyMatch(Problem::isError)) {
       return "sound: " + sound + ", but " + problems;
     }
-    final String[] lines = startsAsZip(bytes) ? null : lines(file, bytes);
+    final String[] lines = startsAsZip(bytes) || isWide(file, bytes) ? null : lines(file, bytes);
     return problems.stream().map(problem -> ofProblem(problem, file, lines)).filter(Objects::nonNull)
         .findFirst().orElse(null);
   }
@@ -140,6 +188,12 @@ final class Fuzz implements AutoCloseable {
   private static boolean isWithin(final Problem problem, final String[] lines) {
     return problem.line() >= 1 && problem.line() <= lines.length && problem.column() >= 1
         && problem.column() <= lines[problem.line() - 1].length() + 1;
+  }
+
+  /** Whether a mesh or a material file is read in an encoding of more than one byte to each letter. */
+  private static boolean isWide(final Path file, final byte[] bytes) {
+    return !file.toString().endsWith(".xml") && bytes.length > 1
+        && (bytes[0] == 0 || bytes[1] == 0 || (bytes[0] & bytes[1] & 0xfe) == 0xfe);
   }
 
   private static boolean startsAsZip(final byte[] bytes) {

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 /** A little of what {@link Fuzz} does, with the same files in every run. */
 class FuzzTest {
 
-  private static final int FILES = 2000;
+  private static final int FILES = 1000;
 
   @ParameterizedTest
   @EnumSource
