@@ -18,11 +18,11 @@ import tracer.Ray;
  *
  * <p><img src="doc-files/Box.png" width="320" height="240" alt="A box">
  *
- * <p>The ray is taken into the box's frame and cut with three slabs: along i it is inside from t = (−w/2 − x) / dx to t =
- * (w/2 − x) / dx, or the other way round, if x and dx are start and direction along i, and so along j and k; it is in the
- * box while it is within all three. Source: Kay and Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986. A ray parallel to
- * a slab has a branch of its own, since 0 · ∞ is NaN. The face of a hit is the one that its point is closest to; the point
- * is put back on it.
+ * <p>The ray is transformed to the box's frame and intersected with three slabs. If x and dx are its start and direction
+ * along i, it is within the first slab between t = (−w/2 − x) / dx and t = (w/2 − x) / dx; likewise along j and k; and it
+ * is in the box while it is within all three. Source: Kay and Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986. A ray
+ * parallel to a slab has a branch of its own, since 0 · ∞ is NaN. The face of a hit is the one closest to the computed
+ * point, which is moved onto it.
  */
 public class Box extends Object3D {
 
@@ -109,7 +109,7 @@ public class Box extends Object3D {
         : hit(t, 0, 0, Slab.side(c, startC, dc, halfD), a, b, c);
   }
 
-  /** A hit of the face whose normal in the box's frame is (na, nb, nc), its point put back on the face. */
+  /** A hit of the face whose normal in the box's frame is (na, nb, nc), its point moved onto the face. */
   private Hit hit(final double t, final double na, final double nb, final double nc,
       final double a, final double b, final double c) {
     final Frame f = frame;

@@ -13,15 +13,15 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * A capsule: the points no farther than r from a segment of length l about P, which is a cylinder with hemispheres
- * outside both its ends.
+ * A capsule: the points at most r away from a segment of length l centred at P, that is, a cylinder with a hemisphere at
+ * each end.
  *
  * <p><img src="doc-files/Capsule.png" width="320" height="240" alt="A capsule, and its axis">
  *
- * <p>A line that enters the cylinder without end beside the segment enters the capsule there; one that enters beyond an end
- * can do so only through the sphere of that end; and the same for leaving. These are the quadratics of {@link Cylinder} and
- * {@link Sphere}. The normal points from the closest point of the segment. Source: the capsule is a sphere swept along a
- * segment, Ericson, "Real-Time Collision Detection", 2005, §5.3.
+ * <p>A line that enters the infinite cylinder beside the segment enters the capsule there; one that enters it beyond an
+ * end of the segment can enter the capsule only through the sphere at that end; and likewise for leaving. So the
+ * quadratics are those of {@link Cylinder} and {@link Sphere}. The normal points from the closest point of the segment.
+ * Source: the capsule is a sphere swept along a segment, Ericson, "Real-Time Collision Detection", 2005, §5.3.
  */
 public class Capsule extends Object3D {
 

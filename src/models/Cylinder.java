@@ -13,15 +13,15 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * A solid cylinder, closed by two flat discs: the points no farther than r from the axis and no farther than l/2 along
- * it from the middle P.
+ * A solid cylinder, closed by two flat discs: the points at most r away from the axis and, along it, at most l/2 from the
+ * middle P.
  *
  * <p><img src="doc-files/Cylinder.png" width="320" height="240" alt="A cylinder, and its axis">
  *
- * <p>The ray is cut with the cylinder without end, |R′ + t v′|² = r², where R′ and v′ are what R − P and v have
+ * <p>The ray is intersected with the infinite cylinder, |R′ + t v′|² = r², where R′ and v′ are the components of R − P and v
  * perpendicular to the axis u, and with the slab between the discs, |(R − P)·u + t v·u| = l/2; the hit is where the two
- * intervals first overlap. Whether it lies on the side or on a disc is told by which of them its point is closest to, and
- * there it is put back. Source: Cychosz and Waggenspack, "Intersecting a Ray with a Cylinder", Graphics Gems IV, 1994.
+ * intervals first overlap. It lies on the side or on a disc, whichever is closer to its computed point, which is moved onto
+ * that surface. Source: Cychosz and Waggenspack, "Intersecting a Ray with a Cylinder", Graphics Gems IV, 1994.
  */
 public class Cylinder extends Object3D {
 
@@ -95,7 +95,7 @@ public class Cylinder extends Object3D {
     return at(t, side * half, nx, ny, nz, off > r ? r / off : 1, side * u.ux, side * u.uy, side * u.uz);
   }
 
-  /** A hit with its point put back on the surface: at s along the axis and k (x, y, z) from it. */
+  /** A hit whose point is moved onto the surface: at s along the axis and k (x, y, z) away from it. */
   private Hit at(final double t, final double s, final double x, final double y, final double z, final double k,
       final double nx, final double ny, final double nz) {
     return Hit.of(t, axis.x + (s * axis.ux + k * x), axis.y + (s * axis.uy + k * y), axis.z + (s * axis.uz + k * z),

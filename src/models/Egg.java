@@ -25,8 +25,8 @@ import tracer.Ray;
  *
  * <p>Along a ray the equation is a cubic in t. Its roots are not taken from Cardano's formula, which cancels, but
  * approached by Newton's method from both ends of a stretch that is known to contain them ({@code EggChord}); t counts from
- * the point of the ray closest to C, so that nothing is lost when the ray comes from far away. The point of a hit is put
- * back on the surface by one more Newton step along the normal (x q, w (x² + z²) + a² y, z q), q = b² + 2 w y + w². Source
+ * the point of the ray closest to C, so that nothing is lost when the ray comes from far away. The point of a hit is moved
+ * onto the surface by one more Newton step along the normal (x q, w (x² + z²) + a² y, z q), q = b² + 2 w y + w². Source
  * of the curve: Petrović and Malešević, "Hügelschäffer egg curve and surface", Applicable Analysis and Discrete
  * Mathematics, 2022.
  */

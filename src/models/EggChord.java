@@ -4,10 +4,11 @@ package models;
  * Where a line enters and leaves an egg, from the components of two vectors along and across its axis: from the centre to
  * a point of the line near it, and the line's direction.
  *
- * <p>The line is first cut with the cylinder of radius a and height 2 b around the egg. At both ends of that stretch the
- * cubic f = ρ² q − a² (b² − y²) of {@link Egg} is at least 0, so that the line meets the egg only if f has a minimum in
- * between and is negative there. From each end, Newton's method then approaches the root monotonically, because
- * f / q = ρ² − a² (b² − y²) / q is convex: ρ² is, and (b² − y²) / q = const − y / 2w − (b² − w²)² / (4 w² q) is concave.
+ * <p>The line is first intersected with the cylinder of radius a and height 2 b around the egg. At both ends of that
+ * stretch the cubic f = ρ² q − a² (b² − y²) of {@link Egg} is at least 0, so that the line enters the egg only if f has a
+ * minimum in between and is negative there. From each end, Newton's method then approaches the root monotonically,
+ * because f / q = ρ² − a² (b² − y²) / q is convex: ρ² is, and (b² − y²) / q = const − y / 2w − (b² − w²)² / (4 w² q) is
+ * concave.
  */
 final class EggChord {
 
@@ -28,7 +29,7 @@ final class EggChord {
   private final double d2;
 
   /**
-   * Cuts a line with an egg.
+   * Intersects a line with an egg.
    *
    * @param profile the egg
    * @param px first component of the part across the axis of the point
@@ -52,9 +53,9 @@ final class EggChord {
     final double first = Math.max(side.enter, Slab.enter(y, dAlong, profile.b));
     final double last = Math.min(side.leave, Slab.leave(y, dAlong, profile.b));
     final double lowest = Math.max(first, Math.min(last, minimum()));
-    final boolean met = first <= last && value(lowest) < 0;
-    enter = met ? root(first, lowest, 1) : Double.NaN;
-    leave = met ? root(last, lowest, -1) : Double.NaN;
+    final boolean hits = first <= last && value(lowest) < 0;
+    enter = hits ? root(first, lowest, 1) : Double.NaN;
+    leave = hits ? root(last, lowest, -1) : Double.NaN;
   }
 
   /** Where the cubic has its minimum; NaN if it has none. */

@@ -20,21 +20,21 @@ import tracer.Ray;
  * <p><img src="doc-files/Ellipsoid.png" width="320" height="240" alt="An ellipsoid">
  *
  * <p>For the point q = (a/Rx, b/Ry, c/Rz) let κ = |q|, which is less than 1 inside and more than 1 outside. {@link #SDF}
- * is a bound of the distance, whose ratio to the distance goes to 1 on the way to the surface:
+ * is a lower bound of the distance, and its ratio to the distance tends to 1 towards the surface:
  * <ul>
- * <li>outside, the distance from the plane that touches the ellipsoid at q/κ, which has it all on its other side;</li>
- * <li>inside, the least s at which κ could have grown to 1, as κ² is at most κ² + 2 g s + s²/m² after a way s, where g is
- *     half the slope of κ² and m the least radius.</li>
+ * <li>outside, the distance to the plane tangent to the ellipsoid at q/κ, all of which lies beyond that plane;</li>
+ * <li>inside, the least s at which κ can reach 1: after a step of length s, κ² has grown by at most 2 g s + s²/m², where g
+ *     is half the gradient of κ² and m the least radius.</li>
  * </ul>
  *
- * <p>The march is sphere tracing whose steps know the direction. Where Hart's step ends on a sphere that is known to be
- * empty, the step here ends on a plane that has the ellipsoid behind it: q·x = (1 + κ²)/2, parallel to the plane that
- * touches and just outside it, since (1 + κ²)/2 ≥ κ. It needs no root, never passes the surface, and the steps shrink
- * quadratically, those along a tangent by halves. A ray that starts inside is marched along backwards, from beyond the
- * ellipsoid: as that is convex, what is met first then is the only crossing ahead of the start.
+ * <p>The march is sphere tracing whose steps take the direction into account. Hart's step ends on a sphere that is known to
+ * be empty; the step here ends on a plane that has the ellipsoid behind it: q·x = (1 + κ²)/2, parallel to the tangent plane
+ * and just outside it, since (1 + κ²)/2 ≥ κ. It needs no root, never passes the surface, and the steps shrink
+ * quadratically, or by halves along a tangent. For a ray that starts inside, the march goes backwards from beyond the
+ * ellipsoid: as that is convex, the first crossing found is the only one ahead of the start.
  *
- * <p>Source of the scheme: Hart, "Sphere tracing", The Visual Computer 12, 1996; the planes are the supporting planes of
- * a convex set, Rockafellar, "Convex Analysis", 1970, §11.
+ * <p>Source of the scheme: Hart, "Sphere tracing", The Visual Computer 12, 1996; the planes are supporting planes of a
+ * convex set, Rockafellar, "Convex Analysis", 1970, §11.
  */
 public class Ellipsoid extends ProceduralObject3D {
 

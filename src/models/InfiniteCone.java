@@ -19,7 +19,7 @@ final class InfiniteCone {
   final double leave;
 
   /**
-   * Cuts a line with a cone.
+   * Intersects a line with a cone.
    *
    * @param px first component of R′, the part across the axis of the vector from a point of the axis to one of the line
    * @param py second component

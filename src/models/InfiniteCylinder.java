@@ -1,8 +1,8 @@
 package models;
 
 /**
- * Where a line enters and leaves a cylinder without end, from the components perpendicular to the axis of two vectors:
- * from the line's start to a point of the axis, and the line's direction.
+ * Where a line enters and leaves an infinite cylinder, given the components perpendicular to the axis of two vectors: the
+ * one from the line's start to a point of the axis, and the line's direction.
  */
 final class InfiniteCylinder {
 
@@ -13,7 +13,7 @@ final class InfiniteCylinder {
   final double leave;
 
   /**
-   * Cuts a line with a cylinder. The discriminant is taken from the squared distance between line and axis, which
+   * Intersects a line with a cylinder. The discriminant is computed from the squared distance between line and axis, which
    * does not cancel when the cylinder is far away (see {@link Sphere}).
    *
    * @param lx first component of the vector to the axis

@@ -13,12 +13,12 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * A plane without end: (P − Q)·n = 0, with the normal n on the side that it was given for. It is met from both sides;
- * a ray within the plane does not meet it.
+ * An infinite plane: (P − Q)·n = 0, with the normal n as it was given. Rays hit it from both sides; a ray within the plane
+ * does not.
  *
  * <p><img src="doc-files/Plane.png" width="320" height="240" alt="A plane, and its normal">
  *
- * <p>t = (Q − R)·n / (v·n), where a ray along the plane gives an infinite or NaN t, which is no distance. Source: Haines,
+ * <p>t = (Q − R)·n / (v·n), which is infinite or NaN, and so a miss, for a ray parallel to the plane. Source: Haines,
  * "Essential Ray Tracing Algorithms", in Glassner (ed.), "An Introduction to Ray Tracing", 1989, chapter 2.
  */
 public class Plane extends Object3D {

@@ -12,11 +12,11 @@ import tracer.Ray;
  * An object whose intersections are found by marching along the ray, each step no longer than a bound of the distance
  * to the surface.
  *
- * <p>An extension writes {@link #SDF} and {@link #distanceUpperBound}, and makes {@link #intersectionWith} from
- * {@link #rayMarching}, which needs nothing else. How exact its answers are is then a matter of the floats that
- * {@code SDF} takes and gives. One that can do better overrides what only this package sees: {@link #signedDistance},
- * which takes and gives doubles; {@link #hitAt}, for a formula of the normal; or {@link #march} itself, for steps that
- * take the direction of the ray into account, as {@link Torus} and {@link Ellipsoid} do.
+ * <p>A subclass implements {@link #SDF} and {@link #distanceUpperBound}, and {@link #intersectionWith} by calling
+ * {@link #rayMarching}, which needs nothing else. Its accuracy is then limited by the floats that {@code SDF} takes and
+ * returns. A subclass that can do better overrides package-private methods: {@link #signedDistance}, in doubles;
+ * {@link #hitAt}, for a closed form of the normal; or {@link #march} itself, for steps that take the direction of the ray
+ * into account, as {@link Torus} and {@link Ellipsoid} do.
  *
  * <p>Source of the scheme: Hart, "Sphere tracing: a geometric method for the antialiased ray tracing of implicit
  * surfaces", The Visual Computer 12, 1996; of the longer steps: Keinert et al., "Enhanced Sphere Tracing", STAG 2014.
@@ -24,8 +24,8 @@ import tracer.Ray;
 abstract class ProceduralObject3D extends Object3D {
 
   /**
-   * Part of the size of the object within which a ray counts as in contact with the surface: there steps have a least
-   * length, so that a march comes to an end, and the sign of the distance decides instead of its value.
+   * Fraction of the object's size within which a ray counts as in contact with the surface: there steps have a minimum
+   * length, so that a march ends, and the sign of the distance decides instead of its value.
    */
   private static final double CONTACT = 0x1p-16;
 
@@ -35,16 +35,16 @@ abstract class ProceduralObject3D extends Object3D {
   /** Factor by which steps grow while the ray stays in contact, so that it can follow a flat face from end to end. */
   private static final double GROWTH = 1.25;
 
-  /** How far a step goes, in distances; a step is taken back if the next distance does not reach back far enough. */
+  /** Length of a step, in distances; a step is undone if the sphere around its end does not reach that around its start. */
   private static final double RELAXATION = 1.6;
 
   /**
-   * More steps than any march can need that has an end: out of contact each is longer than {@link #CONTACT} times
-   * the size, and none of them beyond the upper bound. Only the march along an object without end is cut off by it.
+   * More steps than any march with an upper bound can need: out of contact each is longer than {@link #CONTACT} times
+   * the size, and none goes beyond the bound. It cuts off only marches along unbounded objects.
    */
   private static final int STEPS = 1 << 18;
 
-  /** Distance, as a part of the size, over which the slope of the distance is measured for the normal. */
+  /** Fraction of the size over which the gradient of the distance is measured for the normal. */
   private static final double SLOPE_BASE = 0x1p-11;
 
   /**
@@ -63,7 +63,7 @@ abstract class ProceduralObject3D extends Object3D {
   }
 
   /**
-   * Signed distance to the surface, or a bound of it.
+   * Signed distance to the surface, or a lower bound of it.
    *
    * @param P a point of the scene
    * @return a number that is positive outside, negative inside, and whose absolute value is never above the true
@@ -72,7 +72,7 @@ abstract class ProceduralObject3D extends Object3D {
   protected abstract float SDF(Point3D P);
 
   /**
-   * How far away the object can be.
+   * Upper bound of the distance to any point of the object.
    *
    * @param P a point of the scene
    * @return a distance; no point of the object is farther from P
@@ -82,7 +82,7 @@ abstract class ProceduralObject3D extends Object3D {
   /**
    * Marches along a ray from its start to the first point of the surface: where the sign of {@link #SDF} changes.
    *
-   * @param ray the ray; {@link Ray#NORAY} meets nothing
+   * @param ray the ray; {@link Ray#NORAY} hits nothing
    * @return the intersection, or {@link Hit#NOHIT}
    * @throws IllegalArgumentException if the ray is null
    */
@@ -93,14 +93,14 @@ abstract class ProceduralObject3D extends Object3D {
     return Hit.isDistance(t) ? hitAt(ray, t, 0) : Hit.NOHIT;
   }
 
-  /** {@link #SDF} in double; this one cannot be more exact than SDF is, and no more than the floats of its point. */
+  /** {@link #SDF} in double; by default no more exact than SDF and the floats of its point. */
   double signedDistance(final double x, final double y, final double z) {
     return SDF(new Point3D((float) x, (float) y, (float) z));
   }
 
   /**
-   * The march: the distance at which a ray first meets the surface, or infinity. A ray that starts on the surface
-   * counts as on the side where it is a little later.
+   * The march: the distance at which a ray first hits the surface, or infinity. A ray that starts on the surface counts as
+   * being on the side where it is a little later.
    */
   double march(final double x, final double y, final double z, final double dx, final double dy, final double dz) {
     final double end = upperBound(x, y, z), start = startOfMarch(x, y, z);
@@ -129,7 +129,7 @@ abstract class ProceduralObject3D extends Object3D {
     return Double.POSITIVE_INFINITY;
   }
 
-  /** Where to begin: at the start, or so far ahead of one that lies on the surface that the side can be told. */
+  /** Where to begin: at the start, or, if that lies on the surface, just far enough ahead to know the side. */
   private double startOfMarch(final double x, final double y, final double z) {
     final double contact = contact(x, y, z);
     return Math.abs(signedDistance(x, y, z)) <= contact / 16 ? contact : 0;
@@ -139,7 +139,7 @@ abstract class ProceduralObject3D extends Object3D {
     return signedDistance(x, y, z) < 0 ? -1 : 1;
   }
 
-  /** Distance to the surface that counts as contact; also for an object without end, which has no size. */
+  /** Distance to the surface that counts as contact; also for an unbounded object, which has no size. */
   private double contact(final double x, final double y, final double z) {
     final double noise = FLOAT_NOISE * Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
     final double size = upperBound(x, y, z);
@@ -150,7 +150,7 @@ abstract class ProceduralObject3D extends Object3D {
     return distanceUpperBound(new Point3D((float) x, (float) y, (float) z));
   }
 
-  /** Where between two points of a ray, one on either side of the surface, the side changes: by bisection. */
+  /** Where a ray crosses the surface between two points on either side of it, by bisection. */
   double crossing(final double before, final double after, final double side,
       final double x, final double y, final double z, final double dx, final double dy, final double dz) {
     double low = before, high = after;
@@ -166,7 +166,7 @@ abstract class ProceduralObject3D extends Object3D {
     return high;
   }
 
-  /** The hit at a distance known from the march; its normal is the slope of the distance, measured to both sides. */
+  /** The hit at a distance known from the march; its normal is the gradient of the distance, by central differences. */
   @Override
   Hit hitAt(final Ray ray, final double t, final int part) {
     final double x = ray.startX() + t * ray.directionX(), y = ray.startY() + t * ray.directionY(),

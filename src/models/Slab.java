@@ -27,18 +27,18 @@ final class Slab {
   }
 
   /**
-   * On which of its two planes a line met the slab. The coordinate of the point tells, unless the slab is so thin that it is
-   * lost in rounding; then where the line came from does.
+   * Which of the two planes of the slab a line hits. The coordinate of the point decides, unless the slab is so thin that it
+   * is lost in rounding; then the line's start and direction do.
    *
-   * @param met coordinate of the point, computed from the line
+   * @param hit coordinate of the point, computed from the line
    * @param s coordinate of the line's start
    * @param d component of its direction
    * @param h half the thickness, &gt; 0
    * @return −1 or 1
    */
-  static double side(final double met, final double s, final double d, final double h) {
-    if (Math.abs(Math.abs(met) - h) <= 0.5 * h) {
-      return Math.copySign(1, met);
+  static double side(final double hit, final double s, final double d, final double h) {
+    if (Math.abs(Math.abs(hit) - h) <= 0.5 * h) {
+      return Math.copySign(1, hit);
     }
     return Math.copySign(1, Math.abs(s) > h ? s : d);
   }

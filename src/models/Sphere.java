@@ -21,7 +21,7 @@ import tracer.Ray;
  *
  * <p>With l = C − R, t² − 2 (l·v) t + l² − r² = 0. The discriminant is r² less the squared distance of the centre from the
  * ray's line, which does not cancel when the sphere is far away; the roots are computed without cancellation, and the point
- * of a hit is put back on the sphere, so that point and normal agree. Source: Haines, Günther and Akenine-Möller,
+ * of a hit is moved onto the sphere, so that point and normal agree. Source: Haines, Günther and Akenine-Möller,
  * "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019, chapter 7.
  */
 public class Sphere extends Object3D {

@@ -11,14 +11,13 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * How a march along a ray went, step by step: sphere tracing by nothing but the signed distance of an object and the bound
- * of how far away it can be.
+ * The steps of a march along a ray: sphere tracing by the signed distance of an object and an upper bound of it alone.
  *
- * <p>These are the steps of an object that makes its intersections from {@code rayMarching} alone. {@link Torus} and
- * {@link Ellipsoid} know longer steps that lead to the same place.
+ * <p>These are the steps of an object that finds its intersections by {@code rayMarching}. {@link Torus} and
+ * {@link Ellipsoid} take longer steps, which lead to the same point.
  *
- * @param steps the points where the distance was asked, in the order of asking; t can go back where a step was too long
- * @param limit t beyond which there can be nothing
+ * @param steps the points where the distance was evaluated, in order; t decreases where a step was too long
+ * @param limit t beyond which the object cannot be
  * @param end why it ended
  * @param t distance to the surface along the ray; infinity if it was not reached
  */
@@ -37,20 +36,19 @@ public record SphereTrace(List<Step> steps, double limit, End end, double t) {
   public enum End {
     /** The sign of the distance changed: the surface lies between the last two steps. */
     REACHED,
-    /** It came farther than the object can be. */
+    /** It passed the farthest point where the object can be. */
     PASSED,
     /** The distance was not a number. */
     UNDEFINED,
-    /** It came to no end within the number of steps that it is allowed. */
+    /** It reached the maximum number of steps. */
     GIVEN_UP
   }
 
   /**
    * Copies the list.
    *
-   * @param steps the points where the distance was asked, in the order of asking; t can go back where a step was too
-   *     long
-   * @param limit t beyond which there can be nothing
+   * @param steps the points where the distance was evaluated, in order; t decreases where a step was too long
+   * @param limit t beyond which the object cannot be
    * @param end why it ended
    * @param t distance to the surface along the ray; infinity if it was not reached
    */
@@ -63,7 +61,7 @@ public record SphereTrace(List<Step> steps, double limit, End end, double t) {
    *
    * @param object any object
    * @param ray the ray, in the object's frame
-   * @return the march; empty if the object is not marched to, or if there is no ray
+   * @return the march; empty if the object is not ray-marched, or for {@link Ray#NORAY}
    * @throws IllegalArgumentException if an argument is null
    */
   public static Optional<SphereTrace> of(final Object3D object, final Ray ray) {
@@ -76,7 +74,7 @@ public record SphereTrace(List<Step> steps, double limit, End end, double t) {
     return new Recorder(object, ray).march();
   }
 
-  /** Marches as the object would by its distance alone, and notes where it was asked. */
+  /** Marches as the object would by its distance alone, and records where the distance is evaluated. */
   private static final class Recorder extends ProceduralObject3D {
 
     private final ProceduralObject3D object;
@@ -108,7 +106,7 @@ public record SphereTrace(List<Step> steps, double limit, End end, double t) {
       return last.t + 2 * Math.abs(last.distance) >= limit ? End.PASSED : End.GIVEN_UP;
     }
 
-    /** The same place is asked for several reasons at the start. */
+    /** At the start the same point is evaluated more than once. */
     @Override
     double signedDistance(final double x, final double y, final double z) {
       final double distance = object.signedDistance(x, y, z);
@@ -121,7 +119,7 @@ public record SphereTrace(List<Step> steps, double limit, End end, double t) {
       return distance;
     }
 
-    /** From here on no step is made: where the surface was crossed is only told more exactly. */
+    /** From here on there are no steps: only the crossing is refined. */
     @Override
     double crossing(final double before, final double after, final double side,
         final double x, final double y, final double z, final double dx, final double dy, final double dz) {
@@ -140,8 +138,8 @@ public record SphereTrace(List<Step> steps, double limit, End end, double t) {
     }
 
     @Override
-    public Hit intersectionWith(final Ray asked) {
-      return rayMarching(asked);
+    public Hit intersectionWith(final Ray other) {
+      return rayMarching(other);
     }
   }
 }

@@ -14,23 +14,23 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * A torus: the points no farther than r from a circle of radius R, the ring, about C in the plane perpendicular to the
- * axis. With r ≥ R it is a solid without a hole, and only its outer surface counts.
+ * A torus: the points at most r away from the ring, a circle of radius R about C in the plane perpendicular to the axis.
+ * With r ≥ R it is a solid without a hole, and only its outer surface counts.
  *
  * <p><img src="doc-files/Torus.png" width="320" height="240" alt="A torus, and its axis">
  *
- * <p>For a point at height h over the ring's plane and at distance ρ from the axis, the squared distance to the ring is
+ * <p>For a point at height h above the ring's plane and at distance ρ from the axis, the squared distance to the ring is
  * D² = (ρ − R)² + h², and {@link #SDF} is D − r: the exact distance, except inside a torus with r &gt; R, where it is a
  * bound.
  *
- * <p>The march is sphere tracing whose steps know the direction of the ray: they end where it meets a quadric that has the
- * torus on its other side and touches it, not at a sphere that is known to be empty ({@code TorusTrace} derives it). Source
- * of the scheme: Hart, "Sphere tracing: a geometric method for the antialiased ray tracing of implicit surfaces", The
+ * <p>The march is sphere tracing whose steps take the direction of the ray into account: they end not on a sphere that is
+ * known to be empty but on a quadric that separates the ray from the torus and touches it ({@code TorusTrace} derives it).
+ * Source of the scheme: Hart, "Sphere tracing: a geometric method for the antialiased ray tracing of implicit surfaces", The
  * Visual Computer 12, 1996.
  */
 public class Torus extends ProceduralObject3D {
 
-  /** A ray whose direction has a smaller component along the axis has one height from end to end. */
+  /** A ray whose direction has a smaller component along the axis stays at one height. */
   private static final double LEVEL = 0x1p-100;
 
   /** Rounding errors of {@link #SDF}, as a part of the distance from the centre plus R + r. */

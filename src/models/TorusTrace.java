@@ -3,10 +3,11 @@ package models;
 /**
  * The march to a torus along a ray, for {@link Torus}.
  *
- * <p>It is sphere tracing whose steps know the direction of the ray. Hart's step from a point ends where the ray leaves a
- * sphere that is known to be empty, whose radius is the distance. Here the region known to be empty is larger, and where
- * the ray leaves it is the root of a quadratic. With D the distance to the ring and ρ that to the axis, D² along the ray is
- * a quadratic less 2 R ρ. So all that is needed are bounds of ρ, of which each may be taken for a step of length s:
+ * <p>It is sphere tracing whose steps take the direction of the ray into account. Hart's step from a point ends where the
+ * ray leaves a sphere that is known to be empty, whose radius is the distance. Here the region known to be empty is
+ * larger, and the point where the ray leaves it is the root of a quadratic. With D the distance to the ring and ρ that to
+ * the axis, D² along the ray is a quadratic less 2 R ρ. So all that is needed are bounds of ρ, of which each may be taken
+ * for a step of length s:
  * <ul>
  * <li>outside, ρ ≤ (ρ² + ρ₀²) / 2ρ₀ for any ρ₀ &gt; 0, the inequality between the geometric and the arithmetic mean. With
  *     it D² ≤ r² becomes a quadric of revolution, that contains the torus and touches it all along the circles of radius
@@ -15,26 +16,26 @@ package models;
  * <li>inside, ρ ≥ ρ₀ + ρ₀′ s + ½ m s² with the least m that ρ″ has on the ray within the torus. A step cannot pass the
  *     far wall.</li>
  * </ul>
- * Both bounds have the value and the slope of ρ at the point where the march is, so that near a crossing what is left after
- * a step is as the square of the step. Where a ray touches the surface without crossing it, in a curve of the second
- * order, steps halve. Where it almost follows the surface, in a curve of higher order, such steps would hardly grow or
- * shrink; there the march goes on with bounds that have nearly the second derivative of ρ as well, and change by a constant
- * factor. That is why the number of steps is bounded by some multiple of the digits of a double.
+ * Both bounds have the value and the slope of ρ at the current point, so that near a crossing the remaining distance is
+ * proportional to the square of the last step. Where a ray touches the surface to second order without crossing it, steps
+ * halve. Where it almost follows the surface, touching it to higher order, such steps would hardly grow or shrink; there
+ * the march goes on with bounds that have nearly the second derivative of ρ as well, and steps change by a constant factor.
+ * So the number of steps is bounded by a multiple of the number of digits of a double.
  *
  * <p>A ray is given by numbers that do not depend on the frame: t counts from its point closest to the centre; h is the
- * height of that point over the ring's plane, and slope the change of height; and, looking along the axis, the ray moves
- * at a speed from a place on its way, passing the axis at the distance aside: ρ² = (place + t speed)² + aside². They are
- * handed on one by one, as a miss should not allocate anything.
+ * height of that point above the ring's plane, and slope the change of height; and, seen along the axis, the ray moves at a
+ * speed from a place on its way, passing the axis at the distance aside: ρ² = (place + t speed)² + aside². They are passed
+ * one by one, as a miss should not allocate anything.
  *
  * <p>Source of the scheme: Hart, "Sphere tracing: a geometric method for the antialiased ray tracing of implicit
  * surfaces", The Visual Computer 12, 1996.
  */
 final class TorusTrace {
 
-  /** Bound of the steps of a ray that grazes. Of some ten million none was seen to need more than a quarter of it. */
+  /** Maximum number of steps of a grazing ray. Of some ten million rays none needed more than a quarter of it. */
   private static final int STEPS = 200;
 
-  /** Steps after which a march that has not come to an end takes the ray for one that grazes. */
+  /** Number of steps after which a ray is treated as grazing. */
   private static final int USUAL_STEPS = 16;
 
   /** Error of the distance at which the march ends, as a part of the least of r and ρ: there may be a cusp at ρ = 0. */
@@ -46,7 +47,7 @@ final class TorusTrace {
   /** Rounding errors of D² − r², as a part of (R + r) r: two squares of differences that are off by 2⁻⁵² (R + r). */
   private static final double NOISE = 0x1p-49;
 
-  /** How far ahead it is decided on which side a ray begins that starts on the surface, as a part of √((R + r) r). */
+  /** How far ahead of a start on the surface its side is decided, as a part of √((R + r) r). */
   private static final double AHEAD = 0x1p-23;
 
   private final double R;
@@ -63,7 +64,7 @@ final class TorusTrace {
     this.quarter = 0.25 / R;
   }
 
-  /** The march of a ray that starts close to the torus, outside or inside; on the surface, what is ahead decides. */
+  /** The march of a ray that starts near the torus, outside or inside; from the surface, what is ahead decides. */
   double fromStart(final double start, final double leave, final double place, final double speed,
       final double aside2, final double h, final double slope) {
     double t = start, c = excess(t, place, speed, aside2, h, slope);
@@ -84,11 +85,11 @@ final class TorusTrace {
 
   /**
    * Marches outside. With ρ₀ = ρ the quadric touches the torus at the radius where the march is; in the hole, and close
-   * to the axis, one of greater radius leads farther. The step solves c + 2 b s + q s² = 0, all times ρ₀ to save a
+   * to the axis, a larger radius gives a longer step. The step solves c + 2 b s + q s² = 0, all times ρ₀ to save a
    * division.
    *
-   * <p>After a step with ρ₀ = ρ what is left of D² − r² is R (ρ′s)² / ρ₀ up to terms in s³, and its slope is known as
-   * well. The last step goes that bit farther, once what it leaves out is negligible.
+   * <p>After a step with ρ₀ = ρ the remainder of D² − r² is R (ρ′s)² / ρ₀ up to terms in s³, and its slope is known as well.
+   * The last step is longer by what that takes, once the rest is negligible.
    */
   double fromOutside(final double from, final double leave, final double place, final double speed,
       final double aside2, final double h, final double slope) {
@@ -123,7 +124,7 @@ final class TorusTrace {
 
   /**
    * Marches outside where the ray almost follows the surface, and the steps of {@link #fromOutside} hardly grow on the way
-   * out of the contact. Steps of at most twice the one before let the curvature of the bound come close to that of D²:
+   * out of contact. With steps of at most twice the previous one the curvature of the bound comes close to that of D²:
    * ρ ≤ ρ₀ + ρ₀′ s + ½ m s² with the greatest m that ρ″ can have within that length.
    */
   private double grazing(final double from, final double step, final double leave, final double place, final double speed,
@@ -154,7 +155,7 @@ final class TorusTrace {
     return b < 0 ? c / (Math.sqrt(discriminant) - b) : -(b + Math.sqrt(discriminant)) / q;
   }
 
-  /** Length that the march may leave to the surface, at a point at distance ρ from the axis. */
+  /** Distance from the surface at which the march may end, at a point at distance ρ from the axis. */
   private double close(final double rho) {
     return CLOSE * Math.min(r, Math.max(rho, CUSP * outer));
   }

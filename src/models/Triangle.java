@@ -13,20 +13,19 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * A triangle, met from both sides. Its normal is (B − A) × (C − A): the vertices A, B, C appear counter-clockwise to
- * whoever it points at.
+ * A triangle, which rays hit from both sides. Its normal is (B − A) × (C − A): it points to the side from which the
+ * vertices A, B, C appear counter-clockwise.
  *
  * <p><img src="doc-files/Triangle.png" width="320" height="240" alt="A triangle, and its normal">
  *
- * <p>With the vertices counted from the start of the ray, it is met if no two of v·(B × C), v·(C × A) and v·(A × B) differ
- * in sign, at t = A·n / (v·n), where n = (B − A) × (C − A). No ray passes between triangles that share an edge or a vertex:
- * {@code WatertightTest} computes the signs so. Sources: Segura and Feito, "Algorithms to test ray-triangle intersection",
- * WSCG
- * 2001; Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
+ * <p>With the vertices relative to the start of the ray, there is a hit if no two of v·(B × C), v·(C × A) and v·(A × B)
+ * differ in sign, at t = A·n / (v·n), where n = (B − A) × (C − A). {@code WatertightTest} computes the signs so that no ray
+ * passes between triangles that share an edge or a vertex. Sources: Segura and Feito, "Algorithms to test ray-triangle
+ * intersection", WSCG 2001; Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
  */
 public class Triangle extends Object3D {
 
-  /** Height of a triangle, relative to its greatest coordinate, that rounding coordinates to floats can make up. */
+  /** Height of a triangle, relative to its greatest coordinate, that can be due to rounding coordinates to floats alone. */
   private static final double ROUNDING = 0x1p-24;
 
   private final float ax;
@@ -166,7 +165,7 @@ public class Triangle extends Object3D {
     return Rounding.bound(ray.startX(), ray.startY(), ray.startZ(), t + Math.sqrt(edges)) * edges / doubleArea;
   }
 
-  /** A coordinate of a hit, which rounding must not take out of the box of the vertices. */
+  /** A coordinate of a hit, clamped so that rounding does not move it out of the box of the vertices. */
   private static double within(final float a, final float b, final float c, final double computed) {
     return Math.max(Math.min(a, Math.min(b, c)), Math.min(Math.max(a, Math.max(b, c)), computed));
   }

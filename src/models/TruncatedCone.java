@@ -20,11 +20,12 @@ import tracer.Ray;
  *
  * <p><img src="doc-files/TruncatedCone.png" width="320" height="240" alt="A truncated cone, and its axis">
  *
- * <p>The ray is cut with the infinite cone and with the slab between the discs; the hit is where the two intervals first
- * overlap, and it lies on the side or on a disc according to which of them ends the overlap there. The first interval is
- * that of a quadratic, a t² + 2 b t + c = 0, whose discriminant is 0 for all rays through the tip. It is computed from the
- * tip, if there is one, in a form that keeps its sign ({@code InfiniteCone}); a ray that only rounding leads past the tip
- * hits it. Source: Shene, "Computing the Intersection of a Line and a Cone", Graphics Gems V, 1995.
+ * <p>The ray is intersected with the infinite cone and with the slab between the discs; the hit is where the two
+ * intervals first overlap, and it lies on the side or on a disc according to which of them ends the overlap there. The
+ * first interval is that of a quadratic, a t² + 2 b t + c = 0, whose discriminant is 0 for all rays through the tip. It
+ * is computed from the tip, if there is one, in a form that keeps its sign ({@code InfiniteCone}); a ray that only
+ * rounding leads past the tip hits it. Source: Shene, "Computing the Intersection of a Line and a Cone", Graphics Gems V,
+ * 1995.
  */
 public class TruncatedCone extends Object3D {
 
@@ -208,7 +209,7 @@ public class TruncatedCone extends Object3D {
     return onSide(t, qx, qy, qz);
   }
 
-  /** A hit of the disc at A (−1) or B (1), or of the tip there, its point put back on it. */
+  /** A hit of the disc at A (−1) or B (1), or of the tip there, its point moved onto it. */
   private Hit onDisc(final double t, final double end, final double qx, final double qy, final double qz) {
     final Axis u = axis;
     final double s = u.along(qx, qy, qz), radius = end < 0 ? rA : rB;
@@ -216,7 +217,7 @@ public class TruncatedCone extends Object3D {
     return at(t, end * half, nx, ny, nz, off > radius ? radius / off : 1, end * u.ux, end * u.uy, end * u.uz);
   }
 
-  /** A hit of the side, its point put back on the closest one of the side. */
+  /** A hit of the side, its point moved to the closest one of the side. */
   private Hit onSide(final double t, final double qx, final double qy, final double qz) {
     final Axis u = axis;
     final double along = u.along(qx, qy, qz);

@@ -1,5 +1,5 @@
 /**
- * Objects that rays can meet: shapes, meshes, groups, and transformed objects. The contract of an intersection is in
+ * Objects that rays can hit: shapes, meshes, groups, and transformed objects. The contract of an intersection is in
  * {@link models.Object3D}; frames, units and signs are in {@link primitives}.
  *
  * <p><a href="Sphere.html"><img src="doc-files/Sphere.png" width="160" height="120" alt="Sphere"></a>
@@ -14,15 +14,15 @@
  * <a href="TruncatedCone.html"><img src="doc-files/TruncatedCone.png" width="160" height="120" alt="Truncated cone"></a>
  *
  * <h2>How to add a shape</h2>
- * <p>Extend {@link models.Object3D}, give the colour to its constructor, and write {@code intersectionWith}: the hit of
- * smallest t &gt; 0 with the outward unit normal, or {@link tracer.Hit#NOHIT}. That is all; such an object works in groups,
- * transformations and images. Two things make it better:
+ * <p>Extend {@link models.Object3D}, pass the colour to its constructor, and implement {@code intersectionWith}: it returns
+ * the hit of smallest t &gt; 0 with the outward unit normal, or {@link tracer.Hit#NOHIT}. That is all; such an object works
+ * in groups, transformations and images. Two things make it better:
  * <ul>
- * <li>{@code getBoundingBox}, so that rays that pass it by are not sent to it;</li>
+ * <li>{@code getBoundingBox}, so that rays that miss the box are not tested against the object;</li>
  * <li>computing in double what can cancel, such as a discriminant.</li>
  * </ul>
- * <p>The tests have an interface of laws that every shape must obey; a test of a new shape implements it. As an example,
- * a floor without end:
+ * <p>The laws that every shape must obey are an interface of the tests; the test of a new shape implements it. As an
+ * example, an infinite floor:
  *
  * <pre>{@code
  * public class Floor extends Object3D {

@@ -6,9 +6,9 @@ import static arguments.Arguments.wrong;
 /**
  * A box along the coordinate axes, given by its corners of least and of greatest coordinates.
  *
- * <p>Immutable. A box that encloses computed numbers is rounded outwards ({@link #around}), so that what lies
- * inside in exact arithmetic lies inside in floats too. The box of nothing, {@link #EMPTY}, goes from +∞ to −∞, so
- * that it needs no special case in a union; the box of everything, {@link #UNBOUNDED}, from −∞ to +∞.
+ * <p>Immutable. A box computed in double is rounded outwards ({@link #around}), so that what lies inside in exact arithmetic
+ * lies inside in floats too. The empty box, {@link #EMPTY}, goes from +∞ to −∞, so that a union needs no special case; the
+ * box of all space, {@link #UNBOUNDED}, goes from −∞ to +∞.
  */
 public final class BoundingBox {
 
@@ -21,8 +21,8 @@ public final class BoundingBox {
       Float.NEGATIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY);
 
   /**
-   * By how much a computed box is widened, as a part of its coordinates: the points of a surface are computed with a few
-   * roundings of 2⁻⁵³ each, which the rounding to floats does not cover where a side comes to lie close to 0.
+   * By how much a computed box is widened, relative to its coordinates: the points of a surface are computed with a few
+   * rounding errors of 2⁻⁵³ each, which the rounding to floats does not cover where a side lies close to 0.
    */
   private static final double WIDER = 0x1p-48;
 
@@ -99,7 +99,7 @@ public final class BoundingBox {
   }
 
   /**
-   * The least box that contains this one and another.
+   * The smallest box that contains this one and another.
    *
    * @param box the other box
    * @return the box of both
@@ -112,7 +112,7 @@ public final class BoundingBox {
   }
 
   /**
-   * Whether all its corners are finite: not so for what has no end, nor for {@link #EMPTY}.
+   * Whether both corners are finite, as those of an unbounded box and of {@link #EMPTY} are not.
    *
    * @return true if no coordinate is infinite
    */
@@ -232,7 +232,7 @@ public final class BoundingBox {
   /**
    * The corner of least coordinates.
    *
-   * @return a new point, with infinite coordinates where the box has no end
+   * @return a new point, with infinite coordinates where the box is unbounded
    */
   public Point3D getMin() {
     return new Point3D(minX, minY, minZ);
@@ -241,7 +241,7 @@ public final class BoundingBox {
   /**
    * The corner of greatest coordinates.
    *
-   * @return a new point, with infinite coordinates where the box has no end
+   * @return a new point, with infinite coordinates where the box is unbounded
    */
   public Point3D getMax() {
     return new Point3D(maxX, maxY, maxZ);

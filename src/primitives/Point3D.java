@@ -6,7 +6,7 @@ import javax.vecmath.Point3f;
  * A point of space in scene units: a {@link Point3f} under the name that the assignment gives it.
  *
  * <p>Points are mutable, as all tuples of vecmath are. The classes of this project copy the points that they
- * are given and hand out copies.
+ * are given and return copies.
  */
 public class Point3D extends Point3f {
 

@@ -6,7 +6,7 @@ import javax.vecmath.Vector3f;
  * A vector of space in scene units: a {@link Vector3f} under the name that the assignment gives it.
  *
  * <p>Vectors are mutable, as all tuples of vecmath are. The classes of this project copy the vectors that they
- * are given and hand out copies.
+ * are given and return copies.
  */
 public class Vector3D extends Vector3f {
 

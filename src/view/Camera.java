@@ -15,7 +15,7 @@ import primitives.Vector3D;
 import tracer.RayGenerator;
 
 /**
- * A camera: where it stands, how it is turned, and the projection (its optics) through which it sees.
+ * A camera: its position, its orientation, and the projection (its optics) through which it sees.
  *
  * <p>In the camera's frame the eye is the origin and the camera looks along −z: with the look vector from V to C, x is
  * look × up normalised, y is x × look, z is −look. The matrix from this frame to the scene is the inverse of the view
@@ -30,11 +30,11 @@ public class Camera {
   private Projection optics;
 
   /**
-   * A camera, as yet without a projection.
+   * A camera that does not have a projection yet.
    *
-   * @param V where the camera stands
+   * @param V position of the camera
    * @param C the point that it looks at, other than V
-   * @param up auxiliary vector that appears upright in the picture, of any length but 0, not along the view
+   * @param up vector that appears upright in the picture, of any length but 0, not along the view
    * @throws IllegalArgumentException if an argument is null or not finite, if C equals V, or if up is zero or along the
    *     view
    */
@@ -60,7 +60,7 @@ public class Camera {
   }
 
   /**
-   * Gives the camera a projection, in place of the one that it had.
+   * Sets the projection, replacing the previous one.
    *
    * @param projection the projection
    * @throws IllegalArgumentException if the projection is null
@@ -83,7 +83,7 @@ public class Camera {
   }
 
   /**
-   * Takes a point from the camera's frame to the scene.
+   * Transforms a point from the camera's frame to the scene, in place.
    *
    * @param P the point; it is changed
    * @throws IllegalArgumentException if the point is null or not finite
@@ -93,7 +93,7 @@ public class Camera {
   }
 
   /**
-   * Takes a vector from the camera's frame to the scene: it is turned, not moved.
+   * Transforms a vector from the camera's frame to the scene, in place: it is rotated, not translated.
    *
    * @param v the vector; it is changed
    * @throws IllegalArgumentException if the vector is null or not finite
@@ -103,7 +103,7 @@ public class Camera {
   }
 
   /**
-   * The rays of this camera, by its projection.
+   * The rays of this camera through its projection.
    *
    * @param W width of the image in pixels, at least 1
    * @param H height of the image in pixels, at least 1
@@ -116,7 +116,7 @@ public class Camera {
   }
 
   /**
-   * Where the camera stands.
+   * The position of the camera.
    *
    * @return a new point
    */
@@ -125,7 +125,7 @@ public class Camera {
   }
 
   /**
-   * Where the camera looks.
+   * The direction in which the camera looks.
    *
    * @return a new vector of unit length
    */

@@ -17,7 +17,7 @@ import tracer.RayGenerator;
  */
 public final class FishEye extends Projection {
 
-  /** The rays through the cap. The axes of the camera are rounded to floats, as a program of the course asks for them. */
+  /** The rays through the cap. The axes are rounded to floats, as {@link Camera#toSceneCoordinates} returns them. */
   private static final class CapRays extends RayGenerator {
 
     private final Camera camera;

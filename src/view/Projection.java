@@ -20,7 +20,7 @@ public abstract class Projection {
    *
    * @param w width of the window in scene units, &gt; 0
    * @param h height of the window in scene units, &gt; 0
-   * @throws IllegalArgumentException if a size is not positive, or none that a float can hold
+   * @throws IllegalArgumentException if a size is not positive or does not fit in a float
    */
   protected Projection(final double w, final double h) {
     this.w = size("w", w);
@@ -108,7 +108,7 @@ public abstract class Projection {
     return (i + 0.5) * size / pixels - size / 2;
   }
 
-  /** Checks that a camera holds this projection, and answers it. */
+  /** Checks that a camera holds this projection, and returns the camera. */
   final Camera holding(final Camera camera) {
     if (notNull("camera", camera).getProjection() != this) {
       throw wrongState("otherCamera");
