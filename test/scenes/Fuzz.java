@@ -28,6 +28,7 @@ import scenes.Mutations.Kind;
 import tracer.Hit;
 import tracer.Ray;
 import tracer.RayGenerator;
+import upnatray.RenderJob;
 
 /**
  * Feeds the readers with files that something happened to: {@code Fuzz COUNT SEED FOLDER}, where an empty seed is the time.
@@ -155,6 +156,9 @@ final class Fuzz implements AutoCloseable {
     final RayGenerator rays = scene.camera().getRayGenerator(W, H);
     for (int i = 0; i < W * H; i++) {
       final Hit hit = scene.objects().intersectionWith(rays.getRay(i % W, i / W));
+      if (hit.hits()) {
+        RenderJob.shading(scene).argb(rays.getRay(i % W, i / W), hit);
+      }
       if (hit.hits() && !(hit.getT() > 0 && Double.isFinite(hit.normalX() + hit.normalY() + hit.normalZ()))) {
         return "pixel " + i + ": " + hit;
       }
