@@ -7,8 +7,8 @@ import arguments.Messages;
 /**
  * Colours of scene files: sRGB triples from 0 to 1 or from 0 to 255, with nothing to say which.
  *
- * <p>If a number exceeds 1, all three are of the range up to 255. A reader that decides number by number sees another
- * colour where numbers on both sides of 1 meet: there a warning is given.
+ * <p>If a number exceeds 1, all three are in the range up to 255. A reader that decides number by number sees another
+ * colour in a triple with numbers on both sides of 1: there a warning is given.
  */
 final class Colours {
 
@@ -20,13 +20,13 @@ final class Colours {
     this.values = values;
   }
 
-  /** The colour that must be there; null if it is not, or is none. */
+  /** A required colour; null if it is missing or invalid. */
   Color required(final Element element, final String name) {
     final Element value = values.required(element, name, Expected.COLOUR);
     return value == null ? null : of(value);
   }
 
-  /** The colour of a value; null if it is none. */
+  /** The colour of a value; null if it is invalid. */
   Color of(final Element value) {
     final float[] triple = values.triple(value, BYTE);
     if (triple == null) {

@@ -9,7 +9,7 @@ import java.nio.charset.UnsupportedCharsetException;
 
 /**
  * The text of a scene file from its bytes: by the byte-order mark, else by the encoding that its XML declaration
- * names, else UTF-8. Bytes that are no UTF-8 are taken for Latin-1, so that an old comment does not break a file.
+ * names, else UTF-8. Bytes that are not UTF-8 are taken for Latin-1, so that an old comment does not break a file.
  *
  * @param text the text, without byte-order mark
  * @param warning key of the message if the encoding had to be guessed, or null

@@ -3,10 +3,10 @@ package scenes;
 import arguments.Messages;
 
 /**
- * What a value should have been; put into words only when it is not, as most files are sound.
+ * What a value should have been; put into words only when it is needed, as most files are valid.
  *
  * @param key key of the message
- * @param range the numbers allowed; null if it is no number
+ * @param range the numbers allowed; null if it is not a number
  */
 record Expected(String key, Range range) {
 

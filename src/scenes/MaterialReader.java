@@ -48,12 +48,12 @@ final class MaterialReader {
     this.illumination = illumination;
   }
 
-  /** The ids of all materials, also of those at fault. */
+  /** The ids of all materials, invalid ones included. */
   Set<String> ids() {
     return materials.keySet();
   }
 
-  /** The material of an id; null if there is none, or if it is at fault. */
+  /** The material of an id; null if there is none, or if it is invalid. */
   Material get(final String id) {
     return materials.get(id);
   }

@@ -46,7 +46,7 @@ final class MeshFiles {
       this.offset = offset;
     }
 
-    /** The mesh; null if the file is at fault, which is reported once. */
+    /** The mesh; null if the file is invalid, which is reported once. */
     ObjMesh mesh() {
       if (!read) {
         read = true;
@@ -103,7 +103,7 @@ final class MeshFiles {
       return placed(placement, look);
     }
 
-    /** The mesh under a transformation; null if its file is at fault. */
+    /** The mesh under a transformation; null if its file is invalid. */
     @Override
     public Object3D placed(final Placement placement, final Appearance look) {
       if (file.mesh() == null) {

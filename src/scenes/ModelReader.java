@@ -15,7 +15,7 @@ final class ModelReader {
   static final List<String> SUPPORTED = List.of("sphere", "box", "plane", "cylinder", "capsule", "truncone", "torus",
       "ellipsoid", "egg", "mesh");
 
-  /** A model as an object finds it: with its type, and without a shape if it is at fault or not supported. */
+  /** A model as an object finds it: with its type, and without a shape if it is invalid or not supported. */
   record Entry(String type, Model model) {
   }
 
@@ -52,7 +52,7 @@ final class ModelReader {
     return models.get(id);
   }
 
-  /** The shape of a type; what it holds counts only if no problem was told meanwhile. Null if it is not supported. */
+  /** The shape of a type; valid only if no error was reported meanwhile. Null if the type is not supported. */
   private Model shape(final Element model, final String type) {
     return switch (type) {
       case "sphere" -> new Shapes.SphereModel(length(model, "radius"));

@@ -22,7 +22,7 @@ final class PlacementReader {
     this.values = values;
   }
 
-  /** The placement of an object; null if it is at fault. */
+  /** The placement of an object; null if it is invalid. */
   Placement read(final Element object) {
     final int before = values.problems().errors();
     final float[] scale = triple(object, "scaleFactors", Placement.unscaled());

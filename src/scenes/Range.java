@@ -28,7 +28,7 @@ record Range(double low, boolean lowAllowed, double high, boolean highAllowed) {
     return (lowAllowed ? x >= low : x > low) && (highAllowed ? x <= high : x < high);
   }
 
-  /** Whether it has an end at all; that of the type of the number does not count. */
+  /** Whether it is bounded at all; the bounds of the type of the number do not count. */
   boolean hasEnd() {
     return hasLowEnd() || hasHighEnd();
   }
@@ -41,7 +41,7 @@ record Range(double low, boolean lowAllowed, double high, boolean highAllowed) {
     return high < Double.POSITIVE_INFINITY;
   }
 
-  /** The range of a name in the signs of mathematics, {@code 0 < fov <= 180}. */
+  /** The range of a name as an inequality, {@code 0 < fov <= 180}. */
   String about(final String name) {
     if (!hasHighEnd()) {
       return name + (lowAllowed ? " >= " : " > ") + number(low);

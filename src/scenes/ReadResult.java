@@ -6,7 +6,7 @@ import java.util.Optional;
 import diagnostics.Problem;
 
 /**
- * What came of the reading of a scene file.
+ * The result of reading a scene file.
  *
  * @param scene the scene; empty if there is an error
  * @param problems errors and warnings, in the order of the file; those of a mesh stand where the scene names it

@@ -17,7 +17,7 @@ import models.Object3D;
 import view.Camera;
 import view.Projection;
 
-/** Reads the element {@code image} of a scene file: section by section, in no order of theirs. */
+/** Reads the element {@code image} of a scene file, section by section, whatever their order in the file. */
 final class SceneBuilder {
 
   /** Most pixels of a raster, as many as an array can hold. */
@@ -43,7 +43,7 @@ final class SceneBuilder {
     this.textures = new TextureFiles(files, problems);
   }
 
-  /** The scene; null if an error was told. */
+  /** The scene; null if there is an error. */
   SceneFile scene() {
     final Element raster = section("raster");
     final int W = raster == null ? Values.NONE : values.integer(raster, "W", 1);
@@ -87,7 +87,7 @@ final class SceneBuilder {
     return values.required(image, name, Expected.SECTION);
   }
 
-  /** Blocks are a matter of presentation: their sizes are checked, and each tracer draws in its own. */
+  /** Blocks are a matter of presentation: their sizes are checked, but the renderer chooses its own. */
   private void rayTracer(final Element rayTracer) {
     if (rayTracer != null) {
       block(rayTracer, "wblock");

@@ -23,7 +23,7 @@ import view.Camera;
  * @param lighting how surfaces get their shade
  * @param camera the camera, with its projection
  * @param objects the objects
- * @param names the id of the model that each of the objects shows; objects are told apart by identity
+ * @param names the id of the model that each of the objects shows; objects are compared by identity
  * @param meshes the files of its meshes
  */
 public record SceneFile(String name, int width, int height, Color background, Lighting lighting, Camera camera,

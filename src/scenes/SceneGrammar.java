@@ -14,7 +14,7 @@ import arguments.Messages;
  * The names of the scene language, and the warnings about those that are not of it.
  *
  * <p>An element whose meaning depends on its {@code type} has a row for each. What stands in a row may stand at any
- * depth below the section: an unknown element in between is told, and what is inside it counts all the same.
+ * depth below the section: an unknown element in between is reported, and its contents count all the same.
  */
 final class SceneGrammar {
 
@@ -58,7 +58,7 @@ final class SceneGrammar {
       "projection", List.of("type"), "light", List.of("type"), "brdf", List.of("id", "type"),
       "btdf", List.of("id", "type"), "model", List.of("id", "type"));
 
-  /** Names of other editions of the language, which have no effect in this one. */
+  /** Names of other editions of the language, without effect in this one. */
   private static final Set<String> DEAD = Set.of("light attenuationExponent", "model center");
 
   private final Problems problems;
@@ -106,7 +106,7 @@ final class SceneGrammar {
     return types;
   }
 
-  /** Tells what is not of the language in an element and below. */
+  /** Reports what does not belong to the language in an element and below. */
   void check(final Element image) {
     if (image.name().equals("image")) {
       check(image, image);
@@ -118,7 +118,7 @@ final class SceneGrammar {
     }
   }
 
-  /** Checks an element that belongs to a section: the element of the language that it is in, or itself. */
+  /** Checks an element in a section, which is the nearest element of the language around it, or itself. */
   private void check(final Element element, final Element section) {
     final boolean known = element == section;
     attributes(element, known);
@@ -203,7 +203,7 @@ final class SceneGrammar {
     return ofAnyType.getOrDefault(name, Set.of());
   }
 
-  /** The element of the language in which a name belongs; null if it is none of the language. */
+  /** The element of the language in which a name belongs; null if the language does not have it. */
   private String home(final String name) {
     for (final Map.Entry<String, Set<String>> row : children.entrySet()) {
       if (row.getValue().contains(name)) {

@@ -16,17 +16,16 @@ import diagnostics.Problem;
 import diagnostics.SimilarFile;
 
 /**
- * Reads scene files. All that is wrong with a file and with its meshes is found in one run, values that describe nothing
- * included, so that what is read can be rendered.
+ * Reads scene files. All problems of a file and of its meshes are found in one run, values that describe nothing included,
+ * so that what is read can be rendered; only a file that is not well-formed XML is read up to its first fault.
  *
  * <p>Where readers of the language differ, this one decides so: values are found at any depth below their section; of
- * repeated values the first counts, of repeated ids the last; names and numbers may have blanks about them; aiming takes the
- * model's axes along the vectors given; lights and materials have no effect yet, a scene with illumination shows the sum
- * of the reflectances of its materials, shaded by the angle to the ray.
+ * repeated values the first counts, of repeated ids the last; names and numbers may have blanks around them; aiming takes
+ * the model's axes along the vectors given.
  */
 public final class SceneReader {
 
-  /** A file larger than this, in bytes, is no scene file. */
+  /** Size in bytes beyond which a file is not a scene file. */
   static final long LARGEST = 64L << 20;
 
   private final Path file;
@@ -69,7 +68,7 @@ public final class SceneReader {
     }
   }
 
-  /** The bytes of a file, at most one more than are allowed: some files, such as devices, have no end. */
+  /** The bytes of a file, at most one more than are allowed: some files, such as devices, never end. */
   private static byte[] bytes(final Path file) throws IOException {
     try (InputStream in = Files.newInputStream(file)) {
       return in.readNBytes((int) LARGEST + 1);
@@ -82,7 +81,7 @@ public final class SceneReader {
     return new ReadResult(Optional.empty(), List.of(problem));
   }
 
-  /** Reads the markup, and of it the scene; null if an error was told. */
+  /** Reads the markup, and from it the scene; null if there is an error. */
   private SceneFile markup() {
     final MarkupReader markup = new MarkupReader(problems);
     try {

@@ -9,7 +9,7 @@ final class SourceText {
   private final String text;
   private final int[] lineStarts;
 
-  /** A place whose column was asked for last: in a file of one long line, the next is counted from there. */
+  /** The place whose column was asked for last: in a file of one long line, the next one is counted from there. */
   private int knownOffset;
   private int knownColumn = 1;
 

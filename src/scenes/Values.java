@@ -6,15 +6,15 @@ import java.util.List;
 import arguments.Messages;
 
 /**
- * The values of the elements of a scene file. Each method looks for a value at any depth below an element, tells
- * what is wrong with it, and answers it, or something that stands for none: NaN, {@link #NONE}, null.
+ * The values of the elements of a scene file. Each method looks for a value at any depth below an element, reports
+ * what is wrong with it, and returns it, or what stands for a missing or invalid value: NaN, {@link #NONE}, null.
  */
 final class Values {
 
-  /** Stands for a whole number that is not there or at fault. */
+  /** Stands for a missing or invalid whole number. */
   static final int NONE = Integer.MIN_VALUE;
 
-  /** The name of an element that the language spells in its own way, and the spelling of the dictionary. */
+  /** An element whose name the language misspells, and its spelling in the dictionary. */
   static final String AS_SPELT = "circunferenceRadius";
   static final String WELL_SPELT = "circumferenceRadius";
 
@@ -30,7 +30,7 @@ final class Values {
     this.comments = comments;
   }
 
-  /** Where what is wrong is told. */
+  /** Where problems are reported. */
   Problems problems() {
     return problems;
   }
@@ -39,7 +39,7 @@ final class Values {
     return named(element, name) != null;
   }
 
-  /** The first element of a name below another; null if there is none. Further ones are told. */
+  /** The first element of a name below another; null if there is none. Further ones are reported. */
   Element optional(final Element element, final String name) {
     final Element first = named(element, name);
     if (first != null) {
@@ -57,7 +57,7 @@ final class Values {
     return first == null && name.equals(AS_SPELT) ? element.find(WELL_SPELT) : first;
   }
 
-  /** The first element of a name below another; if there is none, that is told with what was expected. */
+  /** The first element of a name below another; if there is none, that is reported, with what was expected. */
   Element required(final Element element, final String name, final Expected expected) {
     final Element found = optional(element, name);
     if (found == null) {
@@ -102,13 +102,13 @@ final class Values {
     return from;
   }
 
-  /** A number that must be there; NaN if it is not, or is out of its range. */
+  /** A required number; NaN if it is missing or out of range. */
   float number(final Element element, final String name, final Range range) {
     final Element found = required(element, name, Expected.number(range));
     return found == null ? Float.NaN : number(found, range);
   }
 
-  /** A number, or its default if it is not there; NaN if it is out of its range. */
+  /** An optional number, or its default; NaN if it is out of range. */
   float number(final Element element, final String name, final Range range, final float absent) {
     final Element found = optional(element, name);
     return found == null ? absent : number(found, range);
@@ -174,13 +174,13 @@ final class Values {
     return i - from;
   }
 
-  /** A whole number that must be there; {@link #NONE} if it is not, or is less than its minimum. */
+  /** A required whole number; {@link #NONE} if it is missing or below its minimum. */
   int integer(final Element element, final String name, final int minimum) {
     final Element found = required(element, name, Expected.integer(minimum));
     return found == null ? NONE : integer(found, minimum);
   }
 
-  /** A whole number, or its default if it is not there; {@link #NONE} if it is less than its minimum. */
+  /** An optional whole number, or its default; {@link #NONE} if it is below its minimum. */
   int integer(final Element element, final String name, final int minimum, final int absent) {
     final Element found = optional(element, name);
     return found == null ? absent : integer(found, minimum);
@@ -201,13 +201,13 @@ final class Values {
     return (int) number;
   }
 
-  /** A truth value that must be there; false if it is not. */
+  /** A required truth value; false if it is missing. */
   boolean bool(final Element element, final String name) {
     final Element found = required(element, name, Expected.BOOL);
     return found != null && bool(found);
   }
 
-  /** A truth value, or its default if it is not there. */
+  /** An optional truth value, or its default. */
   boolean bool(final Element element, final String name, final boolean absent) {
     final Element found = optional(element, name);
     return found == null ? absent : bool(found);
@@ -221,13 +221,13 @@ final class Values {
     return text.equalsIgnoreCase("true");
   }
 
-  /** Three numbers that must be there; null if they are not, or if one is out of range. */
+  /** Three required numbers; null if they are missing, or if one is out of range. */
   float[] triple(final Element element, final String name, final Range range) {
     final Element found = required(element, name, Expected.triple(range));
     return found == null ? null : triple(found, range);
   }
 
-  /** Three numbers, or null if they are not there or one is out of range. */
+  /** Three optional numbers; null if they are missing, or if one is out of range. */
   float[] optionalTriple(final Element element, final String name, final Range range) {
     final Element found = optional(element, name);
     return found == null ? null : triple(found, range);
@@ -270,7 +270,7 @@ final class Values {
     return tokens;
   }
 
-  /** A name or a path that must be there; null if it is not, or is blank. */
+  /** A required name or path; null if it is missing or blank. */
   String name(final Element element, final String name) {
     final Element found = required(element, name, Expected.NAME);
     return found == null ? null : name(found);
@@ -287,7 +287,7 @@ final class Values {
     return Blanks.plain(text);
   }
 
-  /** The text of a value, without the blanks about it; it is an error if there is nothing else, and null is returned. */
+  /** The text of a value, without the blanks around it; null, which is an error, if there is nothing else. */
   String name(final Element value) {
     final int odd = Blanks.firstOdd(value.text());
     if (odd >= 0) {
@@ -301,7 +301,7 @@ final class Values {
     return text;
   }
 
-  /** An attribute that must be there, without the blanks about it; null if it is not. */
+  /** A required attribute, without the blanks around it; null if it is missing. */
   String attribute(final Element element, final String name) {
     final Element.Attribute attribute = element.attribute(name);
     final String value = attribute == null ? "" : Blanks.stripped(attribute.value());
@@ -316,7 +316,7 @@ final class Values {
     return value;
   }
 
-  /** An attribute that must be one of some names; null if it is not. */
+  /** A required attribute that is one of some names; null if it is not. */
   String attribute(final Element element, final String name, final List<String> known) {
     final String value = attribute(element, name);
     if (value == null || known.contains(value)) {
@@ -327,7 +327,7 @@ final class Values {
     return null;
   }
 
-  /** A value that must be one of some names, or its default if it is not there; null if it is another. */
+  /** An optional value that is one of some names, or its default; null if it is another. */
   String oneOf(final Element element, final String name, final List<String> known, final String absent) {
     final Element found = optional(element, name);
     final String value = found == null ? absent : name(found);

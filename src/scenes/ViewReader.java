@@ -30,7 +30,7 @@ final class ViewReader {
     this.types = types;
   }
 
-  /** The camera, without projection; null if it is at fault. */
+  /** The camera, without projection; null if it is invalid. */
   Camera camera(final Element camera) {
     final float[] position = values.triple(camera, "position", Range.ANY);
     final float[] lookAt = values.triple(camera, "lookAt", Range.ANY);
@@ -54,7 +54,7 @@ final class ViewReader {
     }
   }
 
-  /** The projection for a raster, of sizes {@link Values#NONE} if it is at fault; null if the projection is. */
+  /** The projection for a raster, whose sizes are {@link Values#NONE} if invalid; null if the projection is. */
   Projection projection(final Element projection, final int W, final int H) {
     final String type = values.attribute(projection, "type", types);
     try {

@@ -2,7 +2,7 @@ package scenes;
 
 import arguments.Messages;
 
-/** The end of the reading of a file: it is no well-formed XML, and what follows cannot be told apart. */
+/** Ends the reading of a file that is not well-formed XML: what follows cannot be interpreted. */
 final class XmlSyntaxException extends Exception {
 
   private static final long serialVersionUID = 1L;

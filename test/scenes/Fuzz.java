@@ -32,9 +32,9 @@ import upnatray.RenderJob;
 
 /**
  * Feeds the readers with files that something happened to: {@code Fuzz COUNT SEED FOLDER}, where an empty seed is the time.
- * Whatever is in a file, its reader must answer within five seconds, with a message for each problem, at a place that is in
- * the file; and rays must get an answer from a scene that it takes for sound. A file that breaks this is kept in the folder,
- * and the exit status is 1.
+ * Whatever is in a file, its reader must return within five seconds, with a message for each problem, at a place that is in
+ * the file; and a scene that it accepts must shade what rays hit. A file that breaks this is kept in the folder, and the exit
+ * status is 1.
  */
 final class Fuzz implements AutoCloseable {
 
