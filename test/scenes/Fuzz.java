@@ -31,10 +31,9 @@ import tracer.RayGenerator;
 import upnatray.RenderJob;
 
 /**
- * Feeds the readers with files that something happened to: {@code Fuzz COUNT SEED FOLDER}, where an empty seed is the time.
- * Whatever is in a file, its reader must return within five seconds, with a message for each problem, at a place that is in
- * the file; and a scene that it accepts must shade what rays hit. A file that breaks this is kept in the folder, and the exit
- * status is 1.
+ * Feeds the readers with damaged files: {@code Fuzz COUNT SEED FOLDER}, where an empty seed is the time. Whatever is in a
+ * file, its reader must return within five seconds, with a message for each problem, at a place that is in the file; and a
+ * scene that it accepts must shade what rays hit. A file that breaks this is kept in the folder, and the exit status is 1.
  */
 final class Fuzz implements AutoCloseable {
 
