@@ -33,6 +33,9 @@ final class WhittedTracer {
   /** Part of the way to a light in which an object blocks it: what the light itself lies on does not. */
   private static final double BEFORE_LIGHT = 1 - 1e-9;
 
+  /** Lights whose shadow rays are asked together for a tile. */
+  private static final int MOST_SHADOW_TILES = 64;
+
   private final Group3D scene;
   private final Light[] lights;
   private final int recursionDepth;
@@ -43,8 +46,12 @@ final class WhittedTracer {
   private final SpecularRays specular = new SpecularRays();
   private final ViewedSurface surface = new ViewedSurface();
 
-  /** For each light the shadow rays of the tile at hand, and the pixel that is traced; −1 if it belongs to none. */
-  private final ShadowTile[] shadows;
+  /**
+   * For each of the first lights the shadow rays of the tile at hand, made for the first tile; those of further lights are
+   * asked one by one, so that many lights do not take much memory.
+   */
+  private ShadowTile[] shadows = {};
+  /** The pixel that is traced; −1 if it belongs to no tile. */
   private int pixel = -1;
 
   private Ray[] waiting = new Ray[16];
@@ -69,8 +76,6 @@ final class WhittedTracer {
     this.lights = illumination.lights().toArray(new Light[0]);
     this.recursionDepth = illumination.recursionDepth();
     this.background = illumination.backgroundRadiance();
-    this.shadows = new ShadowTile[lights.length];
-    Arrays.setAll(shadows, i -> new ShadowTile());
   }
 
   double r() {
@@ -141,6 +146,10 @@ final class WhittedTracer {
 
   /** Forgets the shadow rays of the tile before. */
   void clearShadows() {
+    if (shadows.length == 0) {
+      shadows = new ShadowTile[Math.min(lights.length, MOST_SHADOW_TILES)];
+      Arrays.setAll(shadows, i -> new ShadowTile());
+    }
     for (final ShadowTile shadow : shadows) {
       shadow.clear();
     }
@@ -158,7 +167,7 @@ final class WhittedTracer {
     if (material != null && !material.scatters()) {
       return;
     }
-    for (int i = 0; i < lights.length; i++) {
+    for (int i = 0; i < shadows.length; i++) {
       if (illuminate(lights[i], hit)) {
         final double wx = incidence.directionX(), wy = incidence.directionY(), wz = incidence.directionZ();
         final double ci = wx * surface.normalX() + wy * surface.normalY() + wz * surface.normalZ();
@@ -262,7 +271,7 @@ final class WhittedTracer {
     final double lr = weightR * interaction.radianceR(), lg = weightG * interaction.radianceG(),
         lb = weightB * interaction.radianceB();
     if (lr > 0 || lg > 0 || lb > 0) {
-      if (depth == 0 && pixel >= 0 && shadows[number].holds(pixel)) {
+      if (depth == 0 && pixel >= 0 && number < shadows.length && shadows[number].holds(pixel)) {
         if (!shadows[number].isBlocked(pixel)) {
           add(lr, lg, lb);
         }

@@ -33,6 +33,9 @@ import radiometry.ReflectanceRGB;
 import radiometry.SpectrumRGB;
 import tracer.Hit;
 import tracer.Ray;
+import upnatray.Image;
+import view.Camera;
+import view.Perspective;
 
 /** Shadows: their edges, where things touch, what sees a light, and lights at odd places. */
 class ShadowTest {
@@ -234,6 +237,25 @@ class ShadowTest {
     final double sum = new Illumination(scene, many, 0, Color.BLACK).radiance(ray, scene.intersectionWith(ray),
         LightObserver.NONE).getR();
     assertEquals(red(scene, lamp(new Point3D(0, 2, 0)), new Point3D(1, 1, 1), new Point3D()), sum, 1e-6 * sum);
+  }
+
+  /** Also in a picture, where the shadow rays of a tile are asked together: memory does not grow with the lights. */
+  @Test
+  void pictureOfManyLightsIsThatOfOneOfTheirPower() {
+    final LightGroup many = new LightGroup(), one = new LightGroup(lamp(new Point3D(0, 2, 0)));
+    for (int i = 0; i < 20_000; i++) {
+      many.addLight(new Omnidirectional(new Point3D(0, 2, 0), WHITE, 5e-3f));
+    }
+    final Group3D scene = group(floor(), new Sphere(new Point3D(0.5f, 0.5f, 0), 0.4f, Color.RED));
+    final Camera camera = new Camera(new Point3D(1, 3, 5), new Point3D(), new Vector3D(0, 1, 0));
+    camera.setProjection(new Perspective(40, 1));
+    final Image[] images = {new Image(6, 6, Color.BLACK), new Image(6, 6, Color.BLACK)};
+    images[0].synthesis(scene, camera, one);
+    images[1].synthesis(scene, camera, many);
+    for (int i = 0; i < 36; i++) {
+      final int expected = images[0].getRGB(i % 6, i / 6) & 0xff, found = images[1].getRGB(i % 6, i / 6) & 0xff;
+      assertEquals(expected, found, 1, "pixel " + i);
+    }
   }
 
   @Test
