@@ -38,6 +38,9 @@ final class InspectorPanel extends JPanel {
 
   private static final long serialVersionUID = 1L;
 
+  /** Depth of the rays up to which the tree of light is expanded at first. */
+  private static final int EXPANDED_DEPTH = 2;
+
   private final JLabel heading = new JLabel();
   private final JLabel swatch = new JLabel("      ");
   private final JTree tree = new JTree(new DefaultMutableTreeNode()) {
@@ -155,9 +158,10 @@ final class InspectorPanel extends JPanel {
     }
   }
 
-  /** Expands the surfaces in the tree of light, but not the numbers of each light there. */
+  /** Expands the first surfaces in the tree of light, but not the numbers of each light there. */
   private void expandLight(final DefaultMutableTreeNode line) {
-    if (line.getUserObject() instanceof LightLines.RayLine ray && ray.lamp().isEmpty()) {
+    if (line.getUserObject() instanceof LightLines.RayLine ray && ray.lamp().isEmpty()
+        && ray.node().surface().depth() <= EXPANDED_DEPTH) {
       tree.expandPath(new TreePath(line.getPath()));
       for (int i = 0; i < line.getChildCount(); i++) {
         expandLight((DefaultMutableTreeNode) line.getChildAt(i));
