@@ -227,7 +227,7 @@ final class FlatGroup {
           objects[i].block(tile);
         }
       }
-      tile.visit(end - first);
+      tile.visitObjects(end - first);
       return tile.farthest();
     });
   }

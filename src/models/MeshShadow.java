@@ -59,7 +59,7 @@ final class MeshShadow implements Bvh.Leaves {
         test(place, ax, ay, az, bx, by, bz, cx, cy, cz);
       }
     }
-    tile.visit(end - first);
+    tile.visitTriangles(end - first);
     return tile.farthest();
   }
 

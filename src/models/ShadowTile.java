@@ -16,8 +16,11 @@ import tracer.Ray;
  */
 public final class ShadowTile {
 
-  /** Primitives for each ray that may be looked at together; if there are more, a part of the rays is quicker. */
+  /** Triangles for each ray that may be looked at together; if there are more, a part of the rays is quicker. */
   private static final int WORTHWHILE = 2;
+
+  /** How many triangles an object of a group counts for. */
+  private static final int OBJECT = 4;
 
   private static final int QUARTERS = 4;
 
@@ -117,9 +120,14 @@ public final class ShadowTile {
     }
   }
 
-  /** Counts primitives that were looked at for all rays; if they become too many, the rays have too little in common. */
-  void visit(final int primitives) {
-    visited += primitives;
+  /** Counts triangles that were looked at for all rays; if they become too many, the rays have too little in common. */
+  void visitTriangles(final int number) {
+    visited += number;
+  }
+
+  /** Counts objects, as triangles are. */
+  void visitObjects(final int number) {
+    visited += OBJECT * number;
   }
 
   /** Whether the rays that are left are better asked one by one. */
