@@ -11,9 +11,17 @@ final class MeshAppearance {
   /** For each triangle its appearance in the list; null: all have the first, or, if there is none, a random colour. */
   private final int[] ofTriangle;
 
+  /** Found once, as each pixel asks: the colour of all triangles, if they have one, and whether any is textured. */
+  private final boolean isTextured;
+  private final boolean hasOneColor;
+  private final int color;
+
   private MeshAppearance(final List<Appearance> appearances, final int[] ofTriangle) {
     this.appearances = appearances;
     this.ofTriangle = ofTriangle;
+    this.isTextured = appearances.stream().anyMatch(appearance -> appearance.texture() != null);
+    this.hasOneColor = appearances.size() == 1;
+    this.color = hasOneColor ? appearances.get(0).color().getRGB() : 0;
   }
 
   /** One for all; null: random colours. */
@@ -39,15 +47,15 @@ final class MeshAppearance {
   }
 
   int argb(final int facet) {
-    return of(facet).color().getRGB();
+    return hasOneColor ? color : of(facet).color().getRGB();
   }
 
   /** The one appearance of all triangles; null if they may differ. */
   Appearance common() {
-    return appearances.size() == 1 ? appearances.get(0) : null;
+    return hasOneColor ? appearances.get(0) : null;
   }
 
   boolean isTextured() {
-    return appearances.stream().anyMatch(appearance -> appearance.texture() != null);
+    return isTextured;
   }
 }
