@@ -5,6 +5,7 @@ import java.awt.image.BufferedImage;
 import java.util.BitSet;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 
@@ -23,8 +24,8 @@ import tracer.RayGenerator;
  */
 final class LightMixer {
 
-  /** What was rendered: a light by its number, or the background by −1, for a recursion depth. */
-  private record Part(int light, int depth) {
+  /** What was rendered: a light by its number, or the background by −1, for a recursion depth and without some effects. */
+  private record Part(int light, int depth, Set<SelectiveSum.Effect> omitted) {
   }
 
   private static final int BACKGROUND = -1;
@@ -46,13 +47,15 @@ final class LightMixer {
    *
    * @param on the lights that are on
    * @param depth recursion depth
+   * @param omitted effects that are left out
    * @param isCancelled asked between rows; if it returns true, null is returned
    */
-  BufferedImage mix(final BitSet on, final int depth, final BooleanSupplier isCancelled) {
-    final float[] sum = part(BACKGROUND, depth, isCancelled);
+  BufferedImage mix(final BitSet on, final int depth, final Set<SelectiveSum.Effect> omitted,
+      final BooleanSupplier isCancelled) {
+    final float[] sum = part(new Part(BACKGROUND, depth, Set.copyOf(omitted)), isCancelled);
     final float[] mixed = sum == null ? null : sum.clone();
     for (int i = on.nextSetBit(0); i >= 0 && mixed != null; i = on.nextSetBit(i + 1)) {
-      final float[] part = part(i, depth, isCancelled);
+      final float[] part = part(new Part(i, depth, Set.copyOf(omitted)), isCancelled);
       if (part == null) {
         return null;
       }
@@ -63,11 +66,10 @@ final class LightMixer {
     return mixed == null ? null : picture(mixed);
   }
 
-  private float[] part(final int light, final int depth, final BooleanSupplier isCancelled) {
-    final Part key = new Part(light, depth);
+  private float[] part(final Part key, final BooleanSupplier isCancelled) {
     float[] part = radiances.get(key);
     if (part == null) {
-      part = render(illumination(light, depth), isCancelled);
+      part = render(illumination(key.light, key.depth), key.omitted, isCancelled);
       if (part != null) {
         radiances.put(key, part);
       }
@@ -83,14 +85,15 @@ final class LightMixer {
   }
 
   /** Renders the radiance of all pixels; NaN where the ray hits nothing, null if cancelled. */
-  private float[] render(final Illumination illumination, final BooleanSupplier isCancelled) {
+  private float[] render(final Illumination illumination, final Set<SelectiveSum.Effect> omitted,
+      final BooleanSupplier isCancelled) {
     final float[] radiance = new float[3 * W * H];
     final RayGenerator generator = scene.camera().getRayGenerator(W, H);
     final boolean completed = IntStream.range(0, H).parallel().allMatch(n -> {
       for (int m = 0; m < W; m++) {
         final Ray ray = generator.getRay(m, n);
         final Hit hit = ray == Ray.NORAY ? Hit.NOHIT : scene.objects().intersectionWith(ray);
-        final RadianceRGB L = hit.hits() ? illumination.radiance(ray, hit, LightObserver.NONE) : null;
+        final RadianceRGB L = hit.hits() ? radiance(illumination, ray, hit, omitted) : null;
         final int at = 3 * ((H - 1 - n) * W + m);
         radiance[at] = L == null ? Float.NaN : (float) L.getR();
         radiance[at + 1] = L == null ? Float.NaN : (float) L.getG();
@@ -99,6 +102,16 @@ final class LightMixer {
       return !isCancelled.getAsBoolean();
     });
     return completed ? radiance : null;
+  }
+
+  private static RadianceRGB radiance(final Illumination illumination, final Ray ray, final Hit hit,
+      final Set<SelectiveSum.Effect> omitted) {
+    if (omitted.isEmpty()) {
+      return illumination.radiance(ray, hit, LightObserver.NONE);
+    }
+    final SelectiveSum observer = new SelectiveSum(omitted);
+    illumination.radiance(ray, hit, observer);
+    return observer.sum();
   }
 
   private BufferedImage picture(final float[] radiance) {

@@ -5,7 +5,11 @@ import java.awt.Dimension;
 import java.awt.FlowLayout;
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 
 import javax.swing.BorderFactory;
 import javax.swing.BoxLayout;
@@ -33,6 +37,7 @@ final class LightsDialog {
   private final LightMixer mixer;
   private final JDialog dialog;
   private final List<JCheckBox> boxes = new ArrayList<>();
+  private final Map<SelectiveSum.Effect, JCheckBox> effects = new EnumMap<>(SelectiveSum.Effect.class);
   private final JSlider depth;
   private final LatestOnlyExecutor background = new LatestOnlyExecutor("lights");
   private volatile Object request;
@@ -74,7 +79,16 @@ final class LightsDialog {
     buttons.add(new JButton(Command.of("lights.all", "", () -> setAll(true))));
     buttons.add(new JButton(Command.of("lights.none", "", () -> setAll(false))));
     buttons.add(new JButton(close)).setName("lights.close");
+    final JPanel switches = new JPanel(new FlowLayout(FlowLayout.LEADING));
+    for (final SelectiveSum.Effect effect : SelectiveSum.Effect.values()) {
+      final JCheckBox box = new JCheckBox(Messages.text("window.lights." + effect), true);
+      box.setName("lights." + effect);
+      box.addActionListener(event -> mix());
+      effects.put(effect, box);
+      switches.add(box);
+    }
     final JPanel bottom = new JPanel(new BorderLayout(8, 0));
+    bottom.add(switches, BorderLayout.NORTH);
     final JLabel label = new JLabel(Messages.text("window.lights.depth"));
     label.setLabelFor(depth);
     bottom.add(label, BorderLayout.WEST);
@@ -112,11 +126,17 @@ final class LightsDialog {
     for (int i = 0; i < boxes.size(); i++) {
       on.set(i, boxes.get(i).isSelected());
     }
+    final Set<SelectiveSum.Effect> omitted = EnumSet.noneOf(SelectiveSum.Effect.class);
+    effects.forEach((effect, box) -> {
+      if (!box.isSelected()) {
+        omitted.add(effect);
+      }
+    });
     final int levels = Math.min(depth.getValue(), job.scene().recursionDepth());
     final Object mine = new Object();
     request = mine;
     background.execute(() -> {
-      final var picture = mixer.mix(on, levels, () -> request != mine);
+      final var picture = mixer.mix(on, levels, omitted, () -> request != mine);
       SwingUtilities.invokeLater(() -> {
         if (request == mine && picture != null && window.job() == job) {
           window.view().setPreview(picture);

@@ -71,15 +71,36 @@ class LightMixerTest {
   void everyMixtureIsThePictureWithTheseLights() {
     for (final int depth : new int[] {0, 3}) {
       final LightMixer mixer = new LightMixer(scene(3, WARM, COLD), W, H);
-      assertSame(rendered(scene(depth, WARM, COLD)), mixer.mix(lights(0, 1), depth, () -> false));
-      assertSame(rendered(scene(depth, WARM)), mixer.mix(lights(0), depth, () -> false));
-      assertSame(rendered(scene(depth, COLD)), mixer.mix(lights(1), depth, () -> false));
-      assertEquals(0xc83c5078, mixer.mix(lights(), depth, () -> false).getRGB(0, 0));
+      assertSame(rendered(scene(depth, WARM, COLD)), mixer.mix(lights(0, 1), depth, Set.of(), () -> false));
+      assertSame(rendered(scene(depth, WARM)), mixer.mix(lights(0), depth, Set.of(), () -> false));
+      assertSame(rendered(scene(depth, COLD)), mixer.mix(lights(1), depth, Set.of(), () -> false));
+      assertEquals(0xc83c5078, mixer.mix(lights(), depth, Set.of(), () -> false).getRGB(0, 0));
     }
+  }
+
+  /** The mirror is the only material with an ideal part, and shadows only darken. */
+  @Test
+  void effectsAreLeftOut() {
+    final LightMixer mixer = new LightMixer(scene(3, WARM, COLD), W, H);
+    assertSame(rendered(scene(0, WARM, COLD)),
+        mixer.mix(lights(0, 1), 3, Set.of(SelectiveSum.Effect.MIRRORS), () -> false));
+    assertSame(rendered(scene(3, WARM, COLD)),
+        mixer.mix(lights(0, 1), 3, Set.of(SelectiveSum.Effect.GLASS), () -> false));
+    final Light side = new Omnidirectional(new Point3D(5, 0, 1.5f), new SpectrumRGB(0.3f, 0.4f, 0.3f), 40);
+    final BufferedImage unshadowed = new LightMixer(scene(0, side), W, H)
+        .mix(lights(0), 0, Set.of(SelectiveSum.Effect.SHADOWS), () -> false);
+    final BufferedImage shadowed = rendered(scene(0, side));
+    int brighter = 0;
+    for (int i = 0; i < W * H; i++) {
+      final int a = unshadowed.getRGB(i % W, i / W) >> 8 & 0xff, b = shadowed.getRGB(i % W, i / W) >> 8 & 0xff;
+      assertTrue(a >= b - 1);
+      brighter += a > b + 1 ? 1 : 0;
+    }
+    assertTrue(brighter > 5, "brighter: " + brighter);
   }
 
   @Test
   void aCancelledMixtureIsNone() {
-    assertNull(new LightMixer(scene(3, WARM), W, H).mix(lights(0), 3, () -> true));
+    assertNull(new LightMixer(scene(3, WARM), W, H).mix(lights(0), 3, Set.of(), () -> true));
   }
 }
