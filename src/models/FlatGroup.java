@@ -144,7 +144,7 @@ final class FlatGroup {
         continue;
       }
       if (object instanceof Group3D) {
-        final List<Object3D> parts = object.parts();
+        final List<Object3D> parts = ((Group3D) object).objectsForTree();
         for (int i = parts.size() - 1; i >= 0; i--) {
           open.push(parts.get(i));
         }

@@ -37,7 +37,9 @@ public class Group3D extends Object3D {
   private final List<Object3D> objects = new ArrayList<>();
   /** The groups that it is within, directly or transformed. */
   private final List<WeakReference<Group3D>> containers = new ArrayList<>();
-  /** How often an object was added to it or to a group within it: while it stands still, its tree is up to date. */
+  /** Whether a tree that is up to date, its own or that of a group that it is within, was built of its objects. */
+  private volatile boolean isInTree;
+  /** How often its tree was put out of date. */
   private volatile long additions;
   private volatile FlatGroup members;
   /** Whether it is within another object, and so can come to contain itself. */
@@ -69,12 +71,13 @@ public class Group3D extends Object3D {
     }
   }
 
+  /** Puts the trees out of date that were built of the objects of this group. Above a group that is in none, all are. */
   private void countAddition() {
-    final Set<Group3D> seen = Collections.newSetFromMap(new IdentityHashMap<>());
     final Deque<Group3D> open = new ArrayDeque<>(List.of(this));
     while (!open.isEmpty()) {
       final Group3D group = open.pop();
-      if (seen.add(group)) {
+      if (group.isInTree) {
+        group.isInTree = false;
         group.additions = group.additions + 1;
         for (final WeakReference<Group3D> container : group.containers) {
           final Group3D outer = container.get();
@@ -84,6 +87,12 @@ public class Group3D extends Object3D {
         }
       }
     }
+  }
+
+  /** The objects that a tree is about to be built of, which is put out of date by the next addition. */
+  List<Object3D> objectsForTree() {
+    isInTree = true;
+    return getObjects();
   }
 
   @Override
