@@ -3,6 +3,7 @@ package examples;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,6 +13,8 @@ import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+
+import javax.imageio.ImageIO;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -66,6 +69,16 @@ class ExamplesTest {
     Pattern.compile("<model id=\"[^\"]*\" type=\"(\\w+)\">").matcher(scene).results()
         .forEach(match -> types.add(match.group(1)));
     assertEquals(Set.of("sphere", "box", "plane", "cylinder", "capsule", "torus", "ellipsoid", "mesh"), types);
+  }
+
+  @Test
+  void theBallHasTheImageThatItsProgramDraws() throws IOException {
+    final BufferedImage drawn = BeachBall.image(), file = ImageIO.read(BeachBall.FILE.toFile());
+    assertEquals(drawn.getWidth() * drawn.getHeight(), file.getWidth() * file.getHeight());
+    for (int i = 0; i < drawn.getWidth() * drawn.getHeight(); i++) {
+      assertEquals(drawn.getRGB(i % drawn.getWidth(), i / drawn.getWidth()), file.getRGB(i % drawn.getWidth(),
+          i / drawn.getWidth()));
+    }
   }
 
   @Test
