@@ -6,7 +6,7 @@ import java.nio.file.Path;
 
 import javax.imageio.ImageIO;
 
-/** Draws {@code scenes/ball.png}, an image to go around a sphere: {@code java examples.BeachBall} in the project's folder. */
+/** Draws {@code scenes/ball.png}, an image to go around a sphere. */
 final class BeachBall {
 
   static final Path FILE = Path.of("scenes", "ball.png");
