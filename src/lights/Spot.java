@@ -48,7 +48,7 @@ public final class Spot extends Light {
     this.aperture = aperture;
     final double angle = Math.toRadians(aperture), half = Math.sin(angle / 2);
     this.sine = Math.sin(angle);
-    this.cosine = aperture == 90 ? 0 : Math.cos(angle);
+    this.cosine = Math.cos(angle);
     this.solidAngle = 4 * Math.PI * half * half;
   }
 

@@ -52,9 +52,9 @@ final class Channels {
     return new Channels(r + other.r, g + other.g, b + other.b);
   }
 
-  /** What is missing to 1, and at least 0. */
+  /** What is missing to 1. */
   Channels rest() {
-    return new Channels(Math.max(0, 1 - r), Math.max(0, 1 - g), Math.max(0, 1 - b));
+    return new Channels(1 - r, 1 - g, 1 - b);
   }
 
   double largest() {
