@@ -29,8 +29,8 @@ import tracer.Ray;
  */
 public class TruncatedCone extends Object3D {
 
-  /** Rounding of a ray through the tip, as a part of the coordinates involved: eight roundings of 2⁻⁵³. */
-  private static final double ROUNDING = 0x1p-50;
+  /** Rounding of a ray through the tip, as a part of the coordinates involved: 32 rounding errors of 2⁻⁵³. */
+  private static final double ROUNDING = 0x1p-48;
 
   /** Rounding of the tip to floats, as a part of its coordinates. */
   private static final double FLOAT = 0x1p-24;

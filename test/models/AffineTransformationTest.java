@@ -156,8 +156,9 @@ class AffineTransformationTest implements Object3DContract {
   @Test
   void theBoxIsTheLeastAboutTheEightCorners() {
     for (final float theta : new float[] {37, -37, 120, 200}) {
-      final Vector3f s = new Vector3f(2, -3, 5), axis = new Vector3f(1, 2, -4), d = new Vector3f(-70, 110, 13);
-      theBoxIsTheLeastAboutTheEightCorners(s, axis, theta, d);
+      final Vector3f s = new Vector3f(2, -3, 5), d = new Vector3f(-70, 110, 13);
+      theBoxIsTheLeastAboutTheEightCorners(s, new Vector3f(1, 2, -4), theta, d);
+      theBoxIsTheLeastAboutTheEightCorners(s, new Vector3f(3, 2, 1), theta, d);
     }
   }
 

@@ -182,6 +182,10 @@ class TruncatedConeTest implements Object3DContract {
       if (!(hit.hits() && hit.getT() <= away * (1 + 1e-5))) {
         throw new AssertionError(cone + ", from " + away + " along " + v + ": " + hit + ", " + numbers);
       }
+      final double outwards = (tipAtA ? -1 : 1) * (hit.normalX() * u.x + hit.normalY() * u.y + hit.normalZ() * u.z);
+      if (Math.abs(hit.distance() - away) < 1e-15 * (1 + away) && !(outwards > 0.999999 * Axis.length(u))) {
+        throw new AssertionError(cone + ", from " + away + " along " + v + ": " + hit + ", " + numbers);
+      }
     }
   }
 
@@ -269,6 +273,14 @@ class TruncatedConeTest implements Object3DContract {
       }
     }
     assertTrue(hits > 5000, hits + " hits");
+  }
+
+  @Test
+  void equalRadiiLetNoRayAlongTheAxisThrough() {
+    final TruncatedCone roll = new TruncatedCone(O, Z, 2, 2, 4, Color.RED);
+    assertHit(8, new Point3D(1, 1, 2), Z, roll, new Ray(new Point3D(1, 1, 10), new Vector3D(0, 0, -1)));
+    assertHit(1, new Point3D(1, 1, -2), new Vector3D(0, 0, -1), roll, new Ray(new Point3D(1, 1, -3), Z));
+    assertMiss(roll, new Ray(new Point3D(2, 0.1f, 10), new Vector3D(0, 0, -1)));
   }
 
   @Test
