@@ -19,7 +19,7 @@ import models.TriangularMesh;
  * Meshes from Wavefront OBJ files, also zipped, for a program of one's own:
  *
  * <pre>{@code
- *   scene.addObject(ObjFile.read(Path.of("cow.obj"), Color.PINK));
+ * TriangularMesh cow = ObjFile.read(java.nio.file.Path.of("cow.obj"), Color.PINK);
  * }</pre>
  *
  * <p>A mesh is smooth: it has the normals of its file, and where corners have none the averages of the facets around them.
