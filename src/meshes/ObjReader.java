@@ -272,7 +272,9 @@ public final class ObjReader {
     if (at >= 0 && statement.lookingAt() && at <= statement.end(1)) {
       final String kind = statement.group(1);
       problems.unusualBlank(text, start, at, kind.length() > 1);
-      if (kind.equals("vn")) {
+      if (kind.equals("v")) {
+        mesh.vertex(Double.NaN, Double.NaN, Double.NaN);
+      } else if (kind.equals("vn")) {
         attributes.normal(0, 0, 0);
       } else if (kind.equals("vt")) {
         attributes.texCoord(Double.NaN, Double.NaN);

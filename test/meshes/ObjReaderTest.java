@@ -104,6 +104,49 @@ class ObjReaderTest {
   }
 
   @Test
+  void blanksThatAreNoneAreNamedWhereTheyStand() {
+    assertProblems("v\u00a00 0 0\nv 1 0 0\nv 0\u20091 0\n\u3000v 1 1 1\nf 1 2\u200b3\n",
+        "1:2: U+00A0 NO-BREAK SPACE looks like a blank but separates nothing: expected a blank (U+0020)",
+        "3:4: U+2009 THIN SPACE looks like a blank but separates nothing: expected a blank (U+0020)",
+        "4:1: U+3000 IDEOGRAPHIC SPACE looks like a blank but separates nothing: expected a blank (U+0020)",
+        "5:6: U+200B ZERO WIDTH SPACE looks like a blank but separates nothing: expected a blank (U+0020)");
+    assertProblems(SQUARE + "vn\ufeff0 0 1\nf 1 2 3\n", "5:3: warning: U+FEFF ZERO WIDTH NO-BREAK SPACE looks like a "
+        + "blank but separates nothing: expected a blank (U+0020)");
+    corners("# \u00a0v\nusemtl a\u00a0b\n" + SQUARE + "f 1 2 3\n");
+  }
+
+  @Test
+  void normalsAndTextureCoordinatesThatAreMissingGiveOneWarning() {
+    assertProblems(SQUARE + "vn 0 0 1\nvn nan 0 1\nvt x\nf 1/1/1 2/9/2 3//7\nf 1 3 4\n",
+        "6:1: warning: normals or texture coordinates that are missing or are no numbers: 4, the first in this line");
+    assertProblems(SQUARE + "vt 0.5\nvt 1 1 0\nvn 0 0 0\nf 1/1/1 2/-1/-1 3/2\n");
+  }
+
+  @Test
+  void aPolygonThatCrossesItselfIsReportedTwentyTimesAtMost() {
+    final ObjReader.Result reading = read(SQUARE + "f 1 2 4 3\n".repeat(25));
+    assertEquals(21, reading.problems().size());
+    assertEquals("this polygon of 4 corners crosses itself or has no area: it is drawn as the fan of its first corner",
+        reading.problems().get(0).message());
+    assertEquals(5, reading.problems().get(0).line());
+  }
+
+  @Test
+  void aFileOfLinesIsCalledWhatItIs() {
+    assertProblems(SQUARE + "l 1 2\nl 2 3 4\np 1\n", "1:1: there is no facet (`f`), only lines or curves: 2, and "
+        + "points: 1; a mesh needs facets");
+  }
+
+  @Test
+  void aZipFileWhoseFirstEntryIsNoMeshIsSearchedForOne() throws IOException {
+    final ObjReader.Result reading = read(zip("m.mtl", "newmtl a\n", "__MACOSX/._b.obj", "x", "b.obj", SQUARE
+        + "f 1 2 x\n"));
+    assertEquals(folder.resolve("mesh.obj") + "!b.obj", reading.problems().get(0).file());
+    assertEquals(5, reading.problems().get(0).line());
+    assertEquals(folder.resolve("mesh.obj") + "!m.mtl", read(zip("m.mtl", "newmtl a\n")).problems().get(0).file());
+  }
+
+  @Test
   void otherStatementsArePassedOverAsLines() {
     final String noise = "# f 1 2 v vn\nvn 0 0 1\nvt 0 0\no v f\ng f 9 9 9\ns 1\nusemtl v\nmtllib a.mtl\n\n  \nl 1 2 "
         + "\\\nf 7 8 9\nfo 1 2 3\n"
