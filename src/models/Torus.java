@@ -154,7 +154,12 @@ public class Torus extends ProceduralObject3D {
     final double rho = Math.sqrt(qx * qx + qy * qy + qz * qz), k = rho > 0 ? R / rho : 0;
     final double nx = px - k * qx, ny = py - k * qy, nz = pz - k * qz, s = r / Math.sqrt(nx * nx + ny * ny + nz * nz);
     return Hit.of(t, axis.x + k * qx + s * nx, axis.y + k * qy + s * ny, axis.z + k * qz + s * nz, nx, ny, nz,
-        Rounding.bound(axis.x, axis.y, axis.z, 2 * outer), this);
+        errorBound(rho), this);
+  }
+
+  /** Near the axis, where a torus with r &gt; R has its tips, the direction away from it is the less exact. */
+  private double errorBound(final double rho) {
+    return Rounding.bound(axis.x, axis.y, axis.z, 2 * outer) * (1 + R / rho);
   }
 
   @Override
