@@ -10,18 +10,18 @@ import models.Object3D;
 import models.Sphere;
 import primitives.Point3D;
 import primitives.Vector3D;
+import rendering.RenderSettings;
+import rendering.Shading;
 import tracer.Hit;
 import tracer.Ray;
 import tracer.RayGenerator;
 import upnatray.Image;
-import upnatray.Rendering;
-import upnatray.Shading;
 import view.Camera;
 import view.Perspective;
 
 /**
  * The picture of the report about numerical trouble: a sphere of radius 1 seen from far away, by the quadratic formula in
- * floats (left) and by {@link Sphere} (right). Tells how many pixels of each are wrong, by exact arithmetic.
+ * floats (left) and by {@link Sphere} (right). Prints how many pixels of each are wrong, by exact arithmetic.
  */
 public final class FarSphere {
 
@@ -42,7 +42,7 @@ public final class FarSphere {
       final Group3D scene = new Group3D();
       scene.addObject(spheres[i]);
       final Image image = new Image(SIZE, SIZE, Color.WHITE);
-      image.synthesis(scene, camera, Rendering.STANDARD.withShading(Shading.FACING));
+      image.synthesis(scene, camera, RenderSettings.STANDARD.withShading(Shading.FACING));
       both.getRaster().setRect(i * SIZE, 0, image.getRaster());
       System.out.println(spheres[i].getClass().getSimpleName() + ": " + wrong(spheres[i], camera) + " of " + SIZE * SIZE);
     }

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Random;
 
 import models.Ellipsoid;
-import models.March;
+import models.SphereTrace;
 import models.Object3D;
 import models.Torus;
 import models.TriangularMesh;
@@ -136,7 +136,7 @@ public final class Measurements {
     int most = 0, lost = 0, invented = 0;
     for (int i = 0; i < rays; i++) {
       final Ray ray = ring ? new Ray(point(2), nearRing(2 * r)) : new Ray(along(-2, r), along(2, r));
-      final int steps = March.of(object, ray).map(march -> march.steps().size()).orElse(0);
+      final int steps = SphereTrace.of(object, ray).map(march -> march.steps().size()).orElse(0);
       sum += steps;
       most = Math.max(most, steps);
       if (ring) {

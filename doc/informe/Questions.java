@@ -1,7 +1,7 @@
 import java.nio.file.Path;
 
 import models.Cost;
-import scenes.Scene;
+import scenes.SceneFile;
 import scenes.SceneReader;
 import tracer.RayGenerator;
 
@@ -16,7 +16,7 @@ public final class Questions {
   /** Prints a line for each scene. */
   public static void main(final String... arguments) {
     for (final String name : arguments) {
-      final Scene scene = SceneReader.read(Path.of(name)).scene().orElseThrow();
+      final SceneFile scene = SceneReader.read(Path.of(name)).scene().orElseThrow();
       final RayGenerator rays = scene.camera().getRayGenerator(SIZE, SIZE);
       long cost = 0;
       for (int n = 0; n < SIZE; n++) {
