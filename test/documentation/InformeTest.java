@@ -25,7 +25,7 @@ class InformeTest {
   void wasMadeOfThisSource() throws Exception {
     assumeTrue(Files.exists(report()), "the project was taken out of the hand-in, without the report");
     final MessageDigest digest = MessageDigest.getInstance("SHA-256");
-    for (final String file : List.of("informe.html", "angular.png", "sphere.png")) {
+    for (final String file : List.of("informe.html", "angular.png", "sphere.png", "stilllife.png", "glass.png")) {
       digest.update(Files.readAllBytes(Path.of("doc", "informe", file)));
     }
     final String source = "source " + HexFormat.of().formatHex(digest.digest());
