@@ -348,6 +348,11 @@ public class AffineTransformation extends Object3D {
   }
 
   @Override
+  boolean isTextured() {
+    return object.isTextured() || isPatterned(object.getClass());
+  }
+
+  @Override
   boolean answersTiles() {
     return object.answersTiles();
   }

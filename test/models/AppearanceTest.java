@@ -85,8 +85,19 @@ class AppearanceTest {
 
   @Test
   void patternOfASubclassIsPainted() {
+    assertPainted(new Chequered());
+  }
+
+  @Test
+  void patternOfATransformedObjectIsPainted() {
+    assertPainted(new AffineTransformation(new Vector3f(1, 1.5f, 1), new Chequered()));
+    assertPainted(new AffineTransformation(new Vector3f(1, 2, 1),
+        new AffineTransformation(new Vector3f(1, 0.5f, 1), new Chequered())));
+  }
+
+  private static void assertPainted(final Object3D chequered) {
     final Group3D scene = new Group3D();
-    scene.addObject(new Chequered());
+    scene.addObject(chequered);
     final RayTile rays = new RayTile();
     rays.open(2, 1);
     rays.put(0, -0.5, 0, 5, 0, 0, -1);
