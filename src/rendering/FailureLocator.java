@@ -61,25 +61,29 @@ final class FailureLocator {
   }
 
   /** What fails at a pixel, in words; null if nothing does. */
-  private String fault(final int m, final int n, final Throwable cause) {
+  private String fault(final int column, final int row, final Throwable cause) {
+    final int m = GeneratorWindow.column(generator, column), n = GeneratorWindow.row(generator, row);
+    final String origin = GeneratorWindow.origin(generator).getClass().getName();
     final Ray ray;
     try {
-      ray = generator.getRay(m, n);
+      ray = generator.getRay(column, row);
     } catch (RuntimeException | StackOverflowError generatorFails) {
-      return Messages.text("rendering.rayFails", generator.getClass().getName(), m, n, cause);
+      return Messages.text("rendering.rayFails", origin, m, n, cause);
     }
     if (ray == null) {
-      return wrongState("nullRay", generator.getClass().getName(), m, n).getMessage();
+      return wrongState("nullRay", origin, m, n).getMessage();
     }
     final String call = failing(scene, ray);
-    return call == null ? faultOfShading(ray, m, n, cause) : Messages.text("rendering.objectFails", call, m, n, ray, cause);
+    final int pixel = (generator.getHeight() - 1 - row) * generator.getWidth() + column;
+    return call == null ? faultOfShading(ray, pixel, m, n, cause)
+        : Messages.text("rendering.objectFails", call, m, n, ray, cause);
   }
 
-  private String faultOfShading(final Ray ray, final int m, final int n, final Throwable cause) {
+  private String faultOfShading(final Ray ray, final int pixel, final int m, final int n, final Throwable cause) {
     try {
       final Hit hit = scene.intersectionWith(ray);
       if (hit.hits()) {
-        picture.hit((generator.getHeight() - 1 - n) * generator.getWidth() + m, ray, hit);
+        picture.hit(pixel, ray, hit);
       }
       return null;
     } catch (TracingFailure failure) {

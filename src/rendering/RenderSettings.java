@@ -64,10 +64,21 @@ public record RenderSettings(int threads, Shading shading, Progress progress, bo
    */
   public boolean render(final Group3D scene, final RayGenerator generator, final PixelWriter picture,
       final ThreadFactory factory) {
+    refresh(scene);
+    return renderPart(scene, generator, picture, factory);
+  }
+
+  /** Has the boxes of user-written shapes asked for anew, before a picture. */
+  void refresh(final Group3D scene) {
     scene.refresh();
     if (shading instanceof Illumination light) {
       light.scene().refresh();
     }
+  }
+
+  /** Renders a part of a picture, of objects that are as they were when it began. */
+  boolean renderPart(final Group3D scene, final RayGenerator generator, final PixelWriter picture,
+      final ThreadFactory factory) {
     return pixelLoop ? new PixelLoop(scene, generator, progress, picture).run()
         : new TileRenderer(scene, generator, this, picture).run(factory);
   }

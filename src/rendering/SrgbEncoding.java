@@ -23,6 +23,15 @@ final class SrgbEncoding {
     }
   }
 
+  /** The numbers that the levels stand for. */
+  private static final double[] NUMBERS = new double[256];
+
+  static {
+    for (int level = 0; level < NUMBERS.length; level++) {
+      NUMBERS[level] = decoded(level / 255.0);
+    }
+  }
+
   private SrgbEncoding() {
   }
 
@@ -38,6 +47,11 @@ final class SrgbEncoding {
   /** The pixel of three numbers, opaque. */
   static int argb(final double r, final double g, final double b) {
     return 0xff << 24 | channel(r) << 16 | channel(g) << 8 | channel(b);
+  }
+
+  /** The number that a level stands for. */
+  static double number(final int level) {
+    return NUMBERS[level];
   }
 
   /** The level of any number: the number of steps up to it. */

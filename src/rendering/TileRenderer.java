@@ -59,33 +59,9 @@ public final class TileRenderer {
    * @return false if the rendering was stopped before its end
    */
   public boolean run(final ThreadFactory factory) {
-    final Thread[] helpers = new Thread[Math.min(rendering.threads(), tiles) - 1];
-    final int started = start(helpers, factory);
-    work();
-    boolean interrupted = false;
-    for (int i = 0; i < started; i++) {
-      interrupted |= await(helpers[i]);
-    }
-    if (interrupted) {
-      Thread.currentThread().interrupt();
-    }
-    rethrow(failure.get());
+    Workers.run(Math.min(rendering.threads(), tiles), factory, this::work);
+    Workers.rethrow(failure.get());
     return !stopped;
-  }
-
-  /** Starts threads, as many as the system allows: the image does not depend on their number. Answers how many. */
-  private int start(final Thread[] threads, final ThreadFactory factory) {
-    int started = 0;
-    try {
-      for (; started < threads.length; started++) {
-        threads[started] = factory.newThread(this::work);
-        threads[started].setDaemon(true);
-        threads[started].start();
-      }
-    } catch (OutOfMemoryError noMoreThreads) {
-      // Those that have started, and the calling thread, share the work.
-    }
-    return started;
   }
 
   private void work() {
@@ -148,28 +124,6 @@ public final class TileRenderer {
       picture.hit(pixel, ray, hit);
     } else {
       picture.miss(pixel, ray);
-    }
-  }
-
-  /** Waits for a helper to end, which is soon, as no tile is left; answers whether this thread was interrupted meanwhile. */
-  private boolean await(final Thread helper) {
-    boolean interrupted = false;
-    while (true) {
-      try {
-        helper.join();
-        return interrupted;
-      } catch (InterruptedException e) {
-        interrupted = true;
-      }
-    }
-  }
-
-  private static void rethrow(final Throwable failure) {
-    if (failure instanceof Error) {
-      throw (Error) failure;
-    }
-    if (failure != null) {
-      throw (RuntimeException) failure;
     }
   }
 }

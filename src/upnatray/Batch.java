@@ -142,7 +142,7 @@ final class Batch {
   }
 
   /** Renders what is asked for; where that is the light, a picture of each light follows. */
-  private void render(final Path file, final SceneFile scene, final Path target) throws SaveException {
+  private void render(final Path file, final SceneFile scene, final Path target) throws SaveException, UsageException {
     final int lights = options.view() == RenderPass.LIGHT ? scene.lights().getLights().size() : 0;
     final Set<Path> inputs = new HashSet<>(scene.meshes());
     inputs.add(file);
@@ -175,15 +175,15 @@ final class Batch {
    *
    * @param light number of the light whose picture it is, or ALL
    */
-  private RenderJob job(final Path file, final SceneFile scene, final int light) throws SaveException {
-    final int[] size = options.size(scene.width(), scene.height());
-    final int W = size[0], H = size[1];
+  private RenderJob job(final Path file, final SceneFile scene, final int light) throws SaveException, UsageException {
+    final Resolution resolution = options.resolution(scene.width(), scene.height());
+    final int W = resolution.W(), H = resolution.rows();
     final int threads = options.threads() > 0 ? options.threads() : Runtime.getRuntime().availableProcessors();
     final long pixels = (long) W * H;
     final long megabytes = (pixels * Integer.BYTES >> 20) + 1;
     try {
-      return light == ALL ? new RenderJob(scene, options.view(), W, H, threads)
-          : RenderJob.ofLight(scene, light, W, H, threads);
+      return light == ALL ? RenderJob.of(scene, options.view(), resolution, threads)
+          : RenderJob.ofLight(scene, light, resolution, threads);
     } catch (final IllegalArgumentException tooLarge) {
       throw new SaveException("imageTooLarge", file, tooLarge.getMessage(), tooLarge);
     } catch (final OutOfMemoryError full) {

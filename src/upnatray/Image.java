@@ -14,6 +14,8 @@ import lights.LightGroup;
 import models.Group3D;
 import rendering.Illumination;
 import rendering.RenderSettings;
+import rendering.Supersampling;
+import tracer.RayGenerator;
 import view.Camera;
 
 /**
@@ -101,6 +103,12 @@ public class Image extends BufferedImage {
     notNull("rendering", rendering);
     return rendering.render(scene, notNull("camera", camera).getRayGenerator(getWidth(), getHeight()),
         rendering.colours(pixels(), background), threads);
+  }
+
+  /** Computes the pixels by the given rays, of which each pixel takes a square of so many by so many. */
+  boolean synthesis(final Group3D scene, final RayGenerator rays, final int samples, final RenderSettings rendering) {
+    return samples == 1 ? rendering.render(scene, rays, rendering.colours(pixels(), background), Thread::new)
+        : new Supersampling(scene, rays, samples, rendering).render(pixels(), background, Thread::new);
   }
 
   private int[] pixels() {

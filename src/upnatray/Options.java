@@ -16,6 +16,7 @@ import java.util.StringJoiner;
 
 import diagnostics.LocaleCharset;
 import rendering.RenderPass;
+import rendering.Supersampling;
 
 /**
  * The options and files of a command line. (Of the libraries for this, picocli adds 30 % to the CPU time of a small picture;
@@ -28,6 +29,8 @@ final class Options {
   private int width;
   private int height;
   private int threads;
+  private int samples = 1;
+  private int[] rows;
   private RenderPass view = RenderPass.COLOUR;
   private boolean window;
   private boolean noWindow;
@@ -80,6 +83,8 @@ final class Options {
       case "--width" -> width = count(name, value);
       case "--height" -> height = count(name, value);
       case "--view" -> view = view(value(name, value));
+      case "--samples" -> samples = samples(name, value);
+      case "--rows" -> rows = range(name, value);
       case "--threads" -> threads = count(name, value);
       default -> throw new UsageException("unknownOption", arg);
     }
@@ -128,6 +133,28 @@ final class Options {
     throw new UsageException("notCount", name, text);
   }
 
+  private static int samples(final String name, final String value) throws UsageException {
+    final int samples = count(name, value);
+    if (samples > Supersampling.MOST) {
+      throw new UsageException("tooManySamples", name, Supersampling.MOST, value);
+    }
+    return samples;
+  }
+
+  /** Two numbers A-B, from 1, the first at most the second. */
+  private static int[] range(final String name, final String value) throws UsageException {
+    final String text = value(name, value);
+    final int dash = text.indexOf('-');
+    if (dash <= 0) {
+      throw new UsageException("notRange", name, text);
+    }
+    final int first = count(name, text.substring(0, dash)), last = count(name, text.substring(dash + 1));
+    if (first > last) {
+      throw new UsageException("notRange", name, text);
+    }
+    return new int[] {first, last};
+  }
+
   private static Path path(final String text) throws UsageException {
     try {
       return Path.of(text);
@@ -149,6 +176,12 @@ final class Options {
     }
     if (window && (noWindow || check || output != null || scenes.size() > 1)) {
       throw new UsageException("windowAlone");
+    }
+    if (window && isForFiles()) {
+      throw new UsageException("samplesNoWindow");
+    }
+    if (samples > 1 && (view == RenderPass.DEPTH || view == RenderPass.COST)) {
+      throw new UsageException("samplesNoNumbers", view.option());
     }
     if (!check && !window) {
       checkTargets();
@@ -202,6 +235,21 @@ final class Options {
     return new int[] {w, h};
   }
 
+  /** The resolution of the picture of a scene of a size. */
+  Resolution resolution(final int sceneWidth, final int sceneHeight) throws UsageException {
+    final int[] size = size(sceneWidth, sceneHeight);
+    if (rows != null && rows[1] > size[1]) {
+      throw new UsageException("rowsOutside", rows[0] + "-" + rows[1], size[1]);
+    }
+    return rows == null ? new Resolution(size[0], size[1], samples, 0, size[1])
+        : new Resolution(size[0], size[1], samples, rows[0] - 1, rows[1] - rows[0] + 1);
+  }
+
+  /** Whether what is asked for is made for files only. */
+  private boolean isForFiles() {
+    return samples > 1 || rows != null;
+  }
+
   private static int scaled(final int size, final int wanted, final int other) {
     return (int) Math.max(1, Math.min(Integer.MAX_VALUE, Math.round((double) size * wanted / other)));
   }
@@ -227,7 +275,7 @@ final class Options {
 
   /** Whether a window is wanted if there is a display: for one scene whose picture is not asked for as a file. */
   boolean windowIfPossible() {
-    return window || !noWindow && !check && output == null && scenes.size() <= 1 && hasDisplay();
+    return window || !noWindow && !check && output == null && !isForFiles() && scenes.size() <= 1 && hasDisplay();
   }
 
   /** A first look that loads nothing of what a window needs. Only a system with X or Wayland tells it in this way. */

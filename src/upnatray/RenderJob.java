@@ -17,6 +17,7 @@ import rendering.RenderPass;
 import rendering.RenderSettings;
 import rendering.Shading;
 import scenes.SceneFile;
+import tracer.RayGenerator;
 
 /**
  * The rendering of one picture of a scene, which can be watched and cancelled from any thread. It is run once, by the thread
@@ -28,6 +29,7 @@ public final class RenderJob {
 
   private final SceneFile scene;
   private final RenderPass view;
+  private final Resolution resolution;
   private final int threads;
   /** What the picture shows of each hit. */
   private final Shading shading;
@@ -52,18 +54,20 @@ public final class RenderJob {
    * @throws IllegalArgumentException if an argument is null or less than 1, or if the picture is too large
    */
   public RenderJob(final SceneFile scene, final RenderPass view, final int W, final int H, final int threads) {
-    this(notNull("scene", scene), notNull("view", view), shading(scene, view), W, H, threads);
+    this(notNull("scene", scene), notNull("view", view), shading(scene, view), Resolution.of(W, H), threads);
   }
 
-  private RenderJob(final SceneFile scene, final RenderPass view, final Shading shading, final int W, final int H,
+  private RenderJob(final SceneFile scene, final RenderPass view, final Shading shading, final Resolution resolution,
       final int threads) {
     this.scene = scene;
     this.view = view;
     this.shading = shading;
     this.threads = positive("threads", threads);
-    this.image = new Image(W, H, view == RenderPass.COLOUR ? scene.background() : NOTHING);
-    this.numbers = view == RenderPass.DEPTH ? NumberPass.ofDepth(W * H)
-        : view == RenderPass.COST ? NumberPass.ofCost(W * H, scene.objects()) : null;
+    this.resolution = resolution;
+    final int W = resolution.W(), rows = resolution.rows();
+    this.image = new Image(W, rows, view == RenderPass.COLOUR ? scene.background() : NOTHING);
+    this.numbers = view == RenderPass.DEPTH ? NumberPass.ofDepth(W * rows)
+        : view == RenderPass.COST ? NumberPass.ofCost(W * rows, scene.objects()) : null;
   }
 
   /**
@@ -93,9 +97,9 @@ public final class RenderJob {
   }
 
   private boolean render(final RenderSettings settings) {
-    return numbers == null ? image.synthesis(scene.objects(), scene.camera(), settings)
-        : settings.render(scene.objects(), scene.camera().getRayGenerator(image.getWidth(), image.getHeight()), numbers,
-        Thread::new);
+    final RayGenerator rays = resolution.rays(scene.camera());
+    return numbers == null ? image.synthesis(scene.objects(), rays, resolution.samples(), settings)
+        : settings.render(scene.objects(), rays, numbers, Thread::new);
   }
 
   private static Shading shading(final SceneFile scene, final RenderPass view) {
@@ -123,7 +127,16 @@ public final class RenderJob {
    *     picture is too large
    */
   public static RenderJob ofLight(final SceneFile scene, final int light, final int W, final int H, final int threads) {
-    return new RenderJob(notNull("scene", scene), RenderPass.LIGHT, illumination(scene).ofLight(light), W, H, threads);
+    return ofLight(scene, light, Resolution.of(W, H), threads);
+  }
+
+  static RenderJob ofLight(final SceneFile scene, final int light, final Resolution resolution, final int threads) {
+    return new RenderJob(notNull("scene", scene), RenderPass.LIGHT, illumination(scene).ofLight(light), resolution, threads);
+  }
+
+  /** A picture with several rays for each pixel, or a band of one. */
+  static RenderJob of(final SceneFile scene, final RenderPass view, final Resolution resolution, final int threads) {
+    return new RenderJob(scene, view, shading(scene, view), resolution, threads);
   }
 
   private static Illumination illumination(final SceneFile scene) {
@@ -248,13 +261,13 @@ public final class RenderJob {
   }
 
   /**
-   * Speed so far: each pixel is a ray.
+   * Speed so far, in rays of the camera.
    *
    * @return rays per second; 0 before the run begins
    */
   public double raysPerSecond() {
     final double seconds = seconds();
-    return seconds > 0 ? done.get() / seconds : 0;
+    return seconds > 0 ? done.get() * resolution.samples() * resolution.samples() / seconds : 0;
   }
 
   /**

@@ -1,0 +1,45 @@
+package upnatray;
+
+import static arguments.Arguments.index;
+import static arguments.Arguments.positive;
+import static arguments.Arguments.within;
+import static arguments.Arguments.wrong;
+
+import rendering.GeneratorWindow;
+import rendering.Supersampling;
+import tracer.RayGenerator;
+import view.Camera;
+
+/**
+ * How many pixels a picture has, and of how many rays each is made.
+ *
+ * @param W width of the picture in pixels, at least 1
+ * @param H height of the whole picture in pixels, at least 1
+ * @param samples K, where a pixel is made of K × K rays, 1 … 16
+ * @param top the first row of the picture that is rendered, from 0 at the top
+ * @param rows number of rows that are rendered, at least 1
+ */
+record Resolution(int W, int H, int samples, int top, int rows) {
+
+  Resolution {
+    positive("W", W);
+    positive("H", H);
+    within("samples", 1, Supersampling.MOST, (double) samples);
+    if ((long) Math.max(W, H) * samples > Integer.MAX_VALUE) {
+      throw wrong("imageSize", (long) W * samples, (long) H * samples, Integer.MAX_VALUE);
+    }
+    index("top", H, top);
+    index("rows", H - top, positive("rows", rows) - 1);
+  }
+
+  /** A whole picture of one ray for each pixel. */
+  static Resolution of(final int W, final int H) {
+    return new Resolution(W, H, 1, 0, positive("H", H));
+  }
+
+  /** The rays of the picture. */
+  RayGenerator rays(final Camera camera) {
+    return GeneratorWindow.rows(camera.getRayGenerator(W * samples, H * samples),
+        (H - top - rows) * samples, rows * samples);
+  }
+}
