@@ -61,7 +61,7 @@ public final class SceneReader {
       final String text = Messages.text("scenes.fileMissing") + SimilarFile.question(file, ".xml");
       return new ReadResult(Optional.empty(), List.of(new Problem(file.toString(), 0, 0, Problem.Severity.ERROR, text)));
     } catch (final AccessDeniedException denied) {
-      return unreadable(file, "fileDenied");
+      return unreadable(file, Files.isDirectory(file) ? "fileIsFolder" : "fileDenied");
     } catch (final IOException failure) {
       final String reason = failure.getClass().getSimpleName() + ": " + failure.getMessage();
       return Files.isDirectory(file) ? unreadable(file, "fileIsFolder") : unreadable(file, "unreadable", reason);

@@ -61,7 +61,7 @@ final class Batch {
     for (final Path scene : scenes) {
       targets.add(options.target(scene));
     }
-    final Set<FileIdentity> inputs = inputs(new LinkedHashSet<>(scenes), targets);
+    final InputFiles inputs = inputs(new LinkedHashSet<>(scenes), targets);
     boolean good = true;
     for (final Path target : targets) {
       try {
@@ -80,14 +80,14 @@ final class Batch {
    * The scenes and, if there are several and a target exists, the files of their meshes: one that a later scene needs must
    * not be replaced by the picture of an earlier one. Those of a single scene are known in time when it is read.
    */
-  private static Set<FileIdentity> inputs(final Set<Path> scenes, final Set<Path> targets) {
+  private static InputFiles inputs(final Set<Path> scenes, final Set<Path> targets) {
     final Set<Path> inputs = new HashSet<>(scenes);
     if (scenes.size() > 1 && targets.stream().anyMatch(Files::exists)) {
       for (final Path scene : scenes) {
         inputs.addAll(meshes(scene));
       }
     }
-    return FileIdentity.of(inputs);
+    return new InputFiles(inputs);
   }
 
   private static Set<Path> meshes(final Path scene) {

@@ -6,10 +6,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.text.Normalizer;
-import java.util.Collection;
-import java.util.HashSet;
 import java.util.Locale;
-import java.util.Set;
 
 /**
  * Which file a name leads to, through symbolic links and whatever its spelling: two names lead to one file exactly if their
@@ -46,19 +43,6 @@ record FileIdentity(Object key) {
     }
   }
 
-  /** The identities of some files; a name that leads nowhere has none. */
-  static Set<FileIdentity> of(final Collection<Path> files) {
-    final Set<FileIdentity> identities = new HashSet<>();
-    for (final Path file : files) {
-      try {
-        identities.add(of(file));
-      } catch (final IOException nowhere) {
-        continue;
-      }
-    }
-    return identities;
-  }
-
   /**
    * Where a file is, or would be, once the symbolic links at the end of its name are followed.
    *
@@ -78,7 +62,7 @@ record FileIdentity(Object key) {
   /** The path of a file that does not exist, below the nearest folder that does. */
   private static Path missing(final Path place) throws IOException {
     Path folder = place.toAbsolutePath().normalize();
-    Path rest = Path.of("");
+    Path rest = place.getFileSystem().getPath("");
     while (folder.getParent() != null && !Files.exists(folder)) {
       rest = folder.getFileName().resolve(rest);
       folder = folder.getParent();
@@ -90,7 +74,8 @@ record FileIdentity(Object key) {
   /** Whether a folder can be entered under its own name in other case, as on Windows and on macOS. */
   private static boolean ignoresCase(final Path folder) throws IOException {
     final String name = folder.toString();
-    final Path upper = Path.of(name.toUpperCase(Locale.ROOT)), lower = Path.of(name.toLowerCase(Locale.ROOT));
+    final Path upper = folder.getFileSystem().getPath(name.toUpperCase(Locale.ROOT));
+    final Path lower = folder.getFileSystem().getPath(name.toLowerCase(Locale.ROOT));
     return !upper.toString().equals(lower.toString()) && Files.exists(upper) && Files.exists(lower)
         && Files.isSameFile(upper, lower);
   }

@@ -14,7 +14,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.Collection;
-import java.util.Set;
+import java.util.List;
 
 import javax.imageio.IIOException;
 import javax.imageio.ImageIO;
@@ -43,7 +43,7 @@ public final class PngFile {
    * @throws IllegalArgumentException if an argument is null
    */
   public static void check(final Path target, final Collection<Path> inputs) throws SaveException {
-    new PngTarget(notNull("target", target)).check(FileIdentity.of(notNull("inputs", inputs)));
+    new PngTarget(notNull("target", target)).check(new InputFiles(notNull("inputs", inputs)));
   }
 
   /**
@@ -57,7 +57,7 @@ public final class PngFile {
   public static void save(final BufferedImage image, final Path target) throws SaveException {
     notNull("image", image);
     final PngTarget checked = new PngTarget(notNull("target", target));
-    checked.check(Set.of());
+    checked.check(new InputFiles(List.of()));
     try {
       write(image, checked.place());
     } catch (final IOException failure) {

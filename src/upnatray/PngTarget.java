@@ -33,26 +33,21 @@ final class PngTarget {
   }
 
   /** Checks all that can be seen before the picture is rendered; the inputs are the files that it is made of. */
-  void check(final Set<FileIdentity> inputs) throws SaveException {
+  void check(final InputFiles inputs) throws SaveException {
     checkName(File.separatorChar == '\\');
     checkPlace();
-    if (!inputs.isEmpty() && inputs.contains(identity())) {
+    if (isIn(inputs)) {
       throw new RefusedTargetException("isInput", target);
     }
     checkContent();
   }
 
-  private FileIdentity identity() throws SaveException {
+  private boolean isIn(final InputFiles inputs) throws SaveException {
     try {
-      return FileIdentity.of(target);
+      return inputs.contains(target);
     } catch (final IOException failure) {
       throw new SaveException("notSaved", target, SaveFailure.reason(failure), failure);
     }
-  }
-
-  /** Whether the file is there, whatever is in it. */
-  boolean exists() {
-    return Files.exists(target);
   }
 
   void checkName(final boolean windows) throws SaveException {

@@ -58,7 +58,8 @@ final class Dialogs {
 
   private String pictureName() {
     final Path scene = window.session().file();
-    final String name = scene == null ? "picture" : Objects.toString(scene.getFileName(), "").replaceFirst("\\.xml$", "");
+    final String name = scene == null ? "picture"
+        : Objects.toString(scene.getFileName(), "").replaceFirst("(?i)\\.xml$", "");
     return name + ".png";
   }
 

@@ -1,9 +1,11 @@
 package window;
 
 import java.awt.Rectangle;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import java.util.prefs.BackingStoreException;
@@ -64,7 +66,16 @@ final class Settings {
 
   /** The folder of the file used last. */
   Path folder() {
-    return Path.of(preferences.get("folder", ""));
+    return path(preferences.get("folder", "")).orElse(Path.of(""));
+  }
+
+  /** A stored path, unless it was stored in another locale, or by another system, and is none here. */
+  private static Optional<Path> path(final String text) {
+    try {
+      return Optional.of(Path.of(text));
+    } catch (final InvalidPathException foreign) {
+      return Optional.empty();
+    }
   }
 
   void setFolder(final Path folder) {
@@ -77,7 +88,7 @@ final class Settings {
     for (int i = 0; i < MAX_RECENT; i++) {
       final String path = preferences.get("recent" + i, "");
       if (!path.isEmpty()) {
-        recent.add(Path.of(path));
+        path(path).ifPresent(recent::add);
       }
     }
     return recent;

@@ -134,6 +134,20 @@ class TargetsTest {
     }
   }
 
+  /** A ZIP file gives the files in it no keys, as Windows does. */
+  @Test
+  void filesWithoutKeysAreComparedByTheSystem() throws Exception {
+    final java.net.URI zip = java.net.URI.create("jar:" + folder.resolve("files.zip").toUri());
+    try (var files = java.nio.file.FileSystems.newFileSystem(zip, java.util.Map.of("create", "true"))) {
+      final Path input = Files.writeString(files.getPath("/a.xml"), SCENE), other = files.getPath("/b.xml");
+      Files.writeString(other, SCENE);
+      final InputFiles inputs = new InputFiles(List.of(input, files.getPath("/missing.xml")));
+      assertTrue(inputs.contains(files.getPath("/x/../a.xml").normalize()));
+      assertTrue(inputs.contains(input));
+      assertFalse(inputs.contains(other));
+    }
+  }
+
   /** A mesh that begins as a PNG does can only be one of a test; a texture does so always. */
   @Test
   void aMeshOfTheScene() throws Exception {
