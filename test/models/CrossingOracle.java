@@ -4,6 +4,8 @@ import java.util.Arrays;
 
 import javax.vecmath.Tuple3f;
 
+import org.apache.commons.numbers.core.DD;
+
 import tracer.Ray;
 
 /**
@@ -111,35 +113,39 @@ abstract class CrossingOracle {
     return 0x1p-22 * size + 0x1p-36 * t;
   }
 
-  static DoubleDouble[] exact(final Tuple3f v) {
-    return new DoubleDouble[] {DoubleDouble.of(v.x), DoubleDouble.of(v.y), DoubleDouble.of(v.z)};
+  static DD[] exact(final Tuple3f v) {
+    return new DD[] {DD.of(v.x), DD.of(v.y), DD.of(v.z)};
   }
 
-  static DoubleDouble[] start(final Ray ray) {
-    return new DoubleDouble[] {
-        DoubleDouble.of(ray.startX()), DoubleDouble.of(ray.startY()), DoubleDouble.of(ray.startZ())};
+  static DD[] start(final Ray ray) {
+    return new DD[] {
+        DD.of(ray.startX()), DD.of(ray.startY()), DD.of(ray.startZ())};
   }
 
-  static DoubleDouble[] direction(final Ray ray) {
-    return new DoubleDouble[] {
-        DoubleDouble.of(ray.directionX()), DoubleDouble.of(ray.directionY()), DoubleDouble.of(ray.directionZ())};
+  static DD[] direction(final Ray ray) {
+    return new DD[] {
+        DD.of(ray.directionX()), DD.of(ray.directionY()), DD.of(ray.directionZ())};
   }
 
-  static DoubleDouble[] minus(final DoubleDouble[] a, final DoubleDouble[] b) {
-    return new DoubleDouble[] {a[0].minus(b[0]), a[1].minus(b[1]), a[2].minus(b[2])};
+  static DD[] minus(final DD[] a, final DD[] b) {
+    return new DD[] {a[0].subtract(b[0]), a[1].subtract(b[1]), a[2].subtract(b[2])};
   }
 
-  static DoubleDouble[] ahead(final DoubleDouble[] p, final DoubleDouble[] d, final double t) {
-    return new DoubleDouble[] {p[0].plus(d[0].times(t)), p[1].plus(d[1].times(t)), p[2].plus(d[2].times(t))};
+  static DD[] ahead(final DD[] p, final DD[] d, final double t) {
+    return new DD[] {p[0].add(d[0].multiply(t)), p[1].add(d[1].multiply(t)), p[2].add(d[2].multiply(t))};
   }
 
-  static DoubleDouble[] unit(final Tuple3f v) {
+  static DD dot(final DD[] a, final DD[] b) {
+    return a[0].multiply(b[0]).add(a[1].multiply(b[1])).add(a[2].multiply(b[2]));
+  }
+
+  static DD[] unit(final Tuple3f v) {
     return unit(exact(v));
   }
 
-  static DoubleDouble[] unit(final DoubleDouble[] v) {
-    final DoubleDouble length = DoubleDouble.dot(v, v).sqrt();
-    return new DoubleDouble[] {v[0].over(length), v[1].over(length), v[2].over(length)};
+  static DD[] unit(final DD[] v) {
+    final DD length = dot(v, v).sqrt();
+    return new DD[] {v[0].divide(length), v[1].divide(length), v[2].divide(length)};
   }
 
   static double[] normalised(final double x, final double y, final double z) {

@@ -1,5 +1,7 @@
 package models;
 
+import org.apache.commons.numbers.core.DD;
+
 import primitives.Point3D;
 import primitives.Vector3D;
 import tracer.Ray;
@@ -7,37 +9,37 @@ import tracer.Ray;
 /** Where a ray crosses an ellipsoid: the roots of |q|² = 1 for the ray taken to the unit ball. */
 final class EllipsoidOracle extends CrossingOracle {
 
-  private final DoubleDouble[] centre;
-  private final DoubleDouble[][] rows = new DoubleDouble[3][];
+  private final DD[] centre;
+  private final DD[][] rows = new DD[3][];
 
   EllipsoidOracle(final Point3D C, final Vector3D i, final Vector3D aux, final float... radii) {
     super(Math.max(radii[0], Math.max(radii[1], radii[2])));
     this.centre = exact(C);
-    final DoubleDouble[] a = unit(i), c = unit(cross(a, exact(aux))), b = cross(c, a);
-    final DoubleDouble[][] axes = {a, b, c};
+    final DD[] a = unit(i), c = unit(cross(a, exact(aux))), b = cross(c, a);
+    final DD[][] axes = {a, b, c};
     for (int n = 0; n < 3; n++) {
-      final DoubleDouble radius = DoubleDouble.of(radii[n]);
-      rows[n] = new DoubleDouble[] {axes[n][0].over(radius), axes[n][1].over(radius), axes[n][2].over(radius)};
+      final DD radius = DD.of(radii[n]);
+      rows[n] = new DD[] {axes[n][0].divide(radius), axes[n][1].divide(radius), axes[n][2].divide(radius)};
     }
   }
 
-  private static DoubleDouble[] cross(final DoubleDouble[] a, final DoubleDouble[] b) {
-    return new DoubleDouble[] {a[1].times(b[2]).minus(a[2].times(b[1])), a[2].times(b[0]).minus(a[0].times(b[2])),
-        a[0].times(b[1]).minus(a[1].times(b[0]))};
+  private static DD[] cross(final DD[] a, final DD[] b) {
+    return new DD[] {a[1].multiply(b[2]).subtract(a[2].multiply(b[1])), a[2].multiply(b[0]).subtract(a[0].multiply(b[2])),
+        a[0].multiply(b[1]).subtract(a[1].multiply(b[0]))};
   }
 
-  private DoubleDouble[] toBall(final DoubleDouble[] v) {
-    return new DoubleDouble[] {DoubleDouble.dot(rows[0], v), DoubleDouble.dot(rows[1], v), DoubleDouble.dot(rows[2], v)};
+  private DD[] toBall(final DD[] v) {
+    return new DD[] {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
   }
 
   @Override
   double[] crossings(final Ray ray) {
-    final DoubleDouble[] d = direction(ray), l = minus(start(ray), centre);
-    final double closest = -DoubleDouble.dot(l, d).high();
-    final DoubleDouble[] p = ahead(l, d, closest);
-    final DoubleDouble[] q = toBall(p), v = toBall(d);
-    final double[] roots = PolynomialRoots.within(2 * size(), DoubleDouble.dot(q, q).minus(DoubleDouble.of(1)),
-        DoubleDouble.dot(q, v).times(2), DoubleDouble.dot(v, v));
+    final DD[] d = direction(ray), l = minus(start(ray), centre);
+    final double closest = -dot(l, d).hi();
+    final DD[] p = ahead(l, d, closest);
+    final DD[] q = toBall(p), v = toBall(d);
+    final double[] roots = PolynomialRoots.within(2 * size(), dot(q, q).subtract(DD.of(1)),
+        dot(q, v).multiply(2), dot(v, v));
     for (int n = 0; n < roots.length; n++) {
       roots[n] += closest;
     }
@@ -45,10 +47,10 @@ final class EllipsoidOracle extends CrossingOracle {
   }
 
   private double[] inBall(final double x, final double y, final double z) {
-    final double px = x - centre[0].high(), py = y - centre[1].high(), pz = z - centre[2].high();
+    final double px = x - centre[0].hi(), py = y - centre[1].hi(), pz = z - centre[2].hi();
     final double[] q = new double[3];
     for (int n = 0; n < 3; n++) {
-      q[n] = rows[n][0].high() * px + rows[n][1].high() * py + rows[n][2].high() * pz;
+      q[n] = rows[n][0].hi() * px + rows[n][1].hi() * py + rows[n][2].hi() * pz;
     }
     return q;
   }
@@ -76,7 +78,7 @@ final class EllipsoidOracle extends CrossingOracle {
     final double[] g = new double[3];
     for (int n = 0; n < 3; n++) {
       for (int m = 0; m < 3; m++) {
-        g[n] += q[m] * rows[m][n].high();
+        g[n] += q[m] * rows[m][n].hi();
       }
     }
     return g;

@@ -2,18 +2,20 @@ package models;
 
 import java.util.Arrays;
 
+import org.apache.commons.numbers.core.DD;
+
 /**
  * Real roots of a polynomial where its sign changes, in order, by bisection between the roots of its derivative: slow
- * and certain. Where a double cannot tell the sign, {@link DoubleDouble} does.
+ * and certain. Where a double cannot tell the sign, {@link DD} does.
  */
 final class PolynomialRoots {
 
   /** Bound of the rounding errors of Horner's scheme in double, for degrees up to 4, as a part of the sum of moduli. */
   private static final double UNSURE = 0x1p-49;
 
-  private final DoubleDouble[] coefficients;
+  private final DD[] coefficients;
 
-  private PolynomialRoots(final DoubleDouble... coefficients) {
+  private PolynomialRoots(final DD... coefficients) {
     this.coefficients = coefficients;
   }
 
@@ -22,7 +24,7 @@ final class PolynomialRoots {
    *
    * @param coefficients that of the constant first
    */
-  static double[] within(final double bound, final DoubleDouble... coefficients) {
+  static double[] within(final double bound, final DD... coefficients) {
     return new PolynomialRoots(coefficients).roots(bound);
   }
 
@@ -45,9 +47,9 @@ final class PolynomialRoots {
   }
 
   private PolynomialRoots derivative() {
-    final DoubleDouble[] slopes = new DoubleDouble[coefficients.length - 1];
+    final DD[] slopes = new DD[coefficients.length - 1];
     for (int i = 0; i < slopes.length; i++) {
-      slopes[i] = coefficients[i + 1].times(i + 1);
+      slopes[i] = coefficients[i + 1].multiply(i + 1);
     }
     return new PolynomialRoots(slopes);
   }
@@ -69,17 +71,17 @@ final class PolynomialRoots {
   private int sign(final double x) {
     double value = 0, modulus = 0;
     for (int i = coefficients.length - 1; i >= 0; i--) {
-      value = value * x + coefficients[i].high();
-      modulus = modulus * Math.abs(x) + Math.abs(coefficients[i].high());
+      value = value * x + coefficients[i].hi();
+      modulus = modulus * Math.abs(x) + Math.abs(coefficients[i].hi());
     }
     return Math.abs(value) > UNSURE * modulus ? (int) Math.signum(value) : exactSign(x);
   }
 
   private int exactSign(final double x) {
-    DoubleDouble value = DoubleDouble.ZERO;
+    DD value = DD.ZERO;
     for (int i = coefficients.length - 1; i >= 0; i--) {
-      value = value.times(x).plus(coefficients[i]);
+      value = value.multiply(x).add(coefficients[i]);
     }
-    return value.sign();
+    return (int) Math.signum(value.hi());
   }
 }

@@ -2,6 +2,8 @@ package models;
 
 import java.util.Arrays;
 
+import org.apache.commons.numbers.core.DD;
+
 import primitives.Point3D;
 import primitives.Vector3D;
 import tracer.Ray;
@@ -13,8 +15,8 @@ import tracer.Ray;
  */
 final class TorusOracle extends CrossingOracle {
 
-  private final DoubleDouble[] centre;
-  private final DoubleDouble[] axis;
+  private final DD[] centre;
+  private final DD[] axis;
   private final double R;
   private final double r;
 
@@ -28,20 +30,21 @@ final class TorusOracle extends CrossingOracle {
 
   @Override
   double[] crossings(final Ray ray) {
-    final DoubleDouble[] d = direction(ray), l = minus(start(ray), centre);
-    final double closest = -DoubleDouble.dot(l, d).high();
-    final DoubleDouble[] p = ahead(l, d, closest);
-    final DoubleDouble h = DoubleDouble.dot(p, axis), slope = DoubleDouble.dot(d, axis);
-    final DoubleDouble p2 = DoubleDouble.dot(p, p), pd = DoubleDouble.dot(p, d), d2 = DoubleDouble.dot(d, d);
-    final DoubleDouble R2 = DoubleDouble.product(R, R), g = p2.plus(R2).minus(DoubleDouble.product(r, r));
-    final DoubleDouble four = R2.times(4);
+    final DD[] d = direction(ray), l = minus(start(ray), centre);
+    final double closest = -dot(l, d).hi();
+    final DD[] p = ahead(l, d, closest);
+    final DD h = dot(p, axis), slope = dot(d, axis);
+    final DD p2 = dot(p, p), pd = dot(p, d), d2 = dot(d, d);
+    final DD R2 = DD.ofProduct(R, R), g = p2.add(R2).subtract(DD.ofProduct(r, r));
+    final DD four = R2.multiply(4);
     final double[] roots = PolynomialRoots.within(2 * size(),
-        g.times(g).minus(four.times(p2.minus(h.times(h)))),
-        g.times(pd).times(4).minus(four.times(pd.minus(h.times(slope))).times(2)),
-        g.times(d2).times(2).plus(pd.times(pd).times(4)).minus(four.times(d2.minus(slope.times(slope)))),
-        d2.times(pd).times(4), d2.times(d2));
-    return Arrays.stream(roots).filter(t -> g.plus(pd.times(2 * t)).plus(d2.times(t).times(t)).sign() >= 0)
-        .map(t -> t + closest).toArray();
+        g.multiply(g).subtract(four.multiply(p2.subtract(h.multiply(h)))),
+        g.multiply(pd).multiply(4).subtract(four.multiply(pd.subtract(h.multiply(slope))).multiply(2)),
+        g.multiply(d2).multiply(2).add(pd.multiply(pd).multiply(4))
+            .subtract(four.multiply(d2.subtract(slope.multiply(slope)))),
+        d2.multiply(pd).multiply(4), d2.multiply(d2));
+    return Arrays.stream(roots)
+        .filter(t -> g.add(pd.multiply(2 * t)).add(d2.multiply(t).multiply(t)).hi() >= 0).map(t -> t + closest).toArray();
   }
 
   @Override
@@ -52,8 +55,8 @@ final class TorusOracle extends CrossingOracle {
 
   @Override
   double[] normal(final double x, final double y, final double z) {
-    final double px = x - centre[0].high(), py = y - centre[1].high(), pz = z - centre[2].high();
-    final double[] u = {axis[0].high(), axis[1].high(), axis[2].high()};
+    final double px = x - centre[0].hi(), py = y - centre[1].hi(), pz = z - centre[2].hi();
+    final double[] u = {axis[0].hi(), axis[1].hi(), axis[2].hi()};
     final double h = px * u[0] + py * u[1] + pz * u[2];
     final double qx = px - h * u[0], qy = py - h * u[1], qz = pz - h * u[2];
     final double k = R / Math.sqrt(qx * qx + qy * qy + qz * qz);
@@ -68,9 +71,9 @@ final class TorusOracle extends CrossingOracle {
 
   /** Distance from the axis and height of a point. */
   private double[] fromCentre(final double x, final double y, final double z) {
-    final double px = x - centre[0].high(), py = y - centre[1].high(), pz = z - centre[2].high();
-    final double h = px * axis[0].high() + py * axis[1].high() + pz * axis[2].high();
-    final double qx = px - h * axis[0].high(), qy = py - h * axis[1].high(), qz = pz - h * axis[2].high();
+    final double px = x - centre[0].hi(), py = y - centre[1].hi(), pz = z - centre[2].hi();
+    final double h = px * axis[0].hi() + py * axis[1].hi() + pz * axis[2].hi();
+    final double qx = px - h * axis[0].hi(), qy = py - h * axis[1].hi(), qz = pz - h * axis[2].hi();
     return new double[] {Math.sqrt(qx * qx + qy * qy + qz * qz), h};
   }
 }

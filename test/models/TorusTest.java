@@ -10,6 +10,7 @@ import java.awt.Color;
 import java.time.Duration;
 import java.util.Random;
 
+import org.apache.commons.numbers.core.DD;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -213,15 +214,15 @@ class TorusTest implements Object3DContract {
   void theSignedDistanceIsExactExceptInsideAnApple() {
     Trials.of(3000, random -> {
       final Point3D P = new Point3D(30 * random.nextFloat() - 15, 12 * random.nextFloat() - 6, 30 * random.nextFloat() - 15);
-      final DoubleDouble across = DoubleDouble.product(P.x, P.x).plus(DoubleDouble.product(P.z, P.z)).sqrt();
+      final DD across = DD.ofProduct(P.x, P.x).add(DD.ofProduct(P.z, P.z)).sqrt();
       for (final Torus torus : new Torus[] {TORUS, APPLE}) {
         final float R = torus == TORUS ? 10 : 3;
-        final DoubleDouble a = across.minus(DoubleDouble.of(R));
-        final DoubleDouble distance = a.times(a).plus(DoubleDouble.product(P.y, P.y)).sqrt().minus(DoubleDouble.of(5));
+        final DD a = across.subtract(DD.of(R));
+        final DD distance = a.multiply(a).add(DD.ofProduct(P.y, P.y)).sqrt().subtract(DD.of(5));
         final double sdf = torus.SDF(P);
-        assertTrue(sdf * distance.high() > 0, () -> P + ": " + sdf);
-        assertTrue(DoubleDouble.of(Math.abs(sdf)).minus(distance.absolute()).sign() <= 0, () -> P + ": " + sdf);
-        assertEquals(distance.high(), sdf, 1e-6);
+        assertTrue(sdf * distance.hi() > 0, () -> P + ": " + sdf);
+        assertTrue(DD.of(Math.abs(sdf)).subtract(distance.abs()).hi() <= 0, () -> P + ": " + sdf);
+        assertEquals(distance.hi(), sdf, 1e-6);
       }
     });
   }
