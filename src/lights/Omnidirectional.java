@@ -7,6 +7,8 @@ import radiometry.SpectrumRGB;
 /**
  * A point that shines equally in all directions: E = Φ / (4π d²) at the distance d &gt; 0. Source: Pharr, Jakob and
  * Humphreys, "Physically Based Rendering", 4th edition, 2023, section 12.2.
+ *
+ * <p><img src="doc-files/Omnidirectional.png" width="320" height="240" alt="A ball in the light of a point">
  */
 public final class Omnidirectional extends Light {
 

@@ -10,6 +10,8 @@ import radiometry.SpectrumRGB;
  * A point that shines equally in all directions of a cone, and nowhere else: E = Φ / (Ω d²), Ω = 4π sin²(A/2), for points
  * whose direction from the light is within the angle A of the axis. Source: Pharr, Jakob and Humphreys, "Physically Based
  * Rendering", 4th edition, 2023, section 12.2.
+ *
+ * <p><img src="doc-files/Spot.png" width="320" height="240" alt="A ball in the cone of a spotlight">
  */
 public final class Spot extends Light {
 

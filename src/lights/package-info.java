@@ -2,6 +2,11 @@
  * Sources of light. Their quantities, units and channels are those of {@link radiometry}, their frames and lengths those of
  * {@link primitives}.
  *
+ * <p><a href="Omnidirectional.html"><img
+ *     src="doc-files/Omnidirectional.png" width="160" height="120" alt="Omnidirectional"></a>
+ * <a href="Spot.html"><img src="doc-files/Spot.png" width="160" height="120" alt="Spot"></a>
+ * <a href="Directional.html"><img src="doc-files/Directional.png" width="160" height="120" alt="Directional"></a>
+ *
  * <ul>
  * <li>The irradiance of a light is measured <em>perpendicular</em> to the direction from which the light comes: a surface
  *     with the normal n receives n·wi times as much, wi being the direction towards the light.</li>

@@ -8,6 +8,8 @@ import radiometry.ReflectanceRGB;
  * k<sub>s</sub>)(1 − c)⁵; h is the half vector of wi and wo, c = wo·h, ci = n·wi and co = n·wo. With a polished distribution
  * the lobe is ideal reflection with the factor F at c = co.
  *
+ * <p><img src="doc-files/AshikhminShirley.png" width="320" height="240" alt="A lacquered ball">
+ *
  * <p>Source: Ashikhmin and Shirley, "An anisotropic Phong BRDF model", Journal of Graphics Tools 5(2), 2000, without
  * anisotropy, D(h) (n·h) being their density of h.
  */

@@ -4,6 +4,8 @@ package materials;
  * A Gaussian of slopes: D(θ) = exp(−tan² θ / α²) / (π α² cos⁴ θ), α² = tan² β / (ln 2 − 4 ln cos β). Sources: Cook and
  * Torrance, "A reflectance model for computer graphics", ACM Transactions on Graphics 1(1), 1982; Walter, Marschner, Li
  * and Torrance, "Microfacet models for refraction through rough surfaces", EGSR 2007, section 5.2.
+ *
+ * <p><img src="doc-files/Beckmann.png" width="320" height="240" alt="A ball with a highlight of Beckmann">
  */
 public final class Beckmann extends NormalDistributionFunction {
 

@@ -3,6 +3,8 @@ package materials;
 /**
  * Blinn's cosine lobe: D(θ) = (q + 2) / (2π) · cos<sup>q</sup> θ with q = −ln 2 / ln cos β. Source: Blinn, "Models of light
  * reflection for computer synthesized pictures", SIGGRAPH 1977, D₁.
+ *
+ * <p><img src="doc-files/Blinn.png" width="320" height="240" alt="A ball with a highlight of Blinn">
  */
 public final class Blinn extends NormalDistributionFunction {
 

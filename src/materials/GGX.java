@@ -5,6 +5,8 @@ package materials;
  * (√2 − cos² β). Sources: Trowbridge and Reitz, as D₃ in Blinn, "Models of light reflection for computer synthesized
  * pictures", SIGGRAPH 1977; Walter, Marschner, Li and Torrance, "Microfacet models for refraction through rough
  * surfaces", EGSR 2007, section 5.2.
+ *
+ * <p><img src="doc-files/GGX.png" width="320" height="240" alt="A ball with a highlight of GGX, which has a long tail">
  */
 public final class GGX extends NormalDistributionFunction {
 

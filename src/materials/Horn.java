@@ -4,6 +4,8 @@ package materials;
  * Phong's lobe in terms of h, whose angle to n is half of that to the mirrored direction: D(θ) = 2 (q + 1) / π ·
  * cos<sup>q</sup> 2θ for θ &lt; 45°, else 0, with q = −ln 2 / ln cos 2β. Source: Horn, "Hill shading and the
  * reflectance map", Proceedings of the IEEE 69(1), 1981.
+ *
+ * <p><img src="doc-files/Horn.png" width="320" height="240" alt="A ball with a highlight of Horn">
  */
 public final class Horn extends NormalDistributionFunction {
 

@@ -5,6 +5,8 @@ import radiometry.ReflectanceRGB;
 /**
  * The surface of clear glass or water: ideal reflection and ideal refraction, and no lobe. Source: Whitted, "An improved
  * illumination model for shaded display", Communications of the ACM 23(6), 1980; factors as in {@link BTDF}.
+ *
+ * <p><img src="doc-files/IdealDielectric.png" width="320" height="240" alt="A glass ball">
  */
 public final class IdealDielectric extends BTDF {
 

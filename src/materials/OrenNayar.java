@@ -10,6 +10,8 @@ import radiometry.ReflectanceRGB;
  * angle between their projections on the surface, A = 1 − σ² / (2 (σ² + 0.33)) and B = 0.45 σ² / (σ² + 0.09), σ in
  * radians. For σ = 0 it is Lambert's.
  *
+ * <p><img src="doc-files/OrenNayar.png" width="320" height="240" alt="A ball as of clay, flat in brightness">
+ *
  * <p>The formula is an approximation: with σ below 19 degrees, a white surface seen at a grazing angle reflects up to 1.5 %
  * more than it receives.
  *

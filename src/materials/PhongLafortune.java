@@ -7,6 +7,8 @@ import radiometry.ReflectanceRGB;
  * max(ci, co)), with h the half vector of wi and wo, c = wo·h, ci = n·wi and co = n·wo. There is no Fresnel effect.
  * With a polished distribution the highlight is ideal reflection with the factor k<sub>s</sub>.
  *
+ * <p><img src="doc-files/PhongLafortune.png" width="320" height="240" alt="A red ball with highlights">
+ *
  * <p>Sources: Lafortune and Willems, "Using the modified Phong reflectance model for physically based rendering", KU Leuven
  * CW197, 1994, whose lobe is expressed by h here; its density by Walter et al., "Microfacet models for refraction through
  * rough surfaces", EGSR 2007, equations 14 and 24; its denominator by Neumann, Neumann and Szirmay-Kalos, "Compact metallic

@@ -8,6 +8,8 @@ import radiometry.ReflectanceRGB;
  * the half vector of wi and wo, c = wo·h, ci = n·wi and co = n·wo. What the diffuse part takes is not reflected twice.
  * With a polished distribution the lobe is ideal reflection with the factor F at c = co.
  *
+ * <p><img src="doc-files/ReflectiveCookTorrance.png" width="320" height="240" alt="A ball of rough copper">
+ *
  * <p>Sources: Cook and Torrance, "A reflectance model for computer graphics", ACM Transactions on Graphics 1(1), 1982,
  * with 4 in place of π by Walter et al., "Microfacet models for refraction through rough surfaces", EGSR 2007, equation
  * 20; F by Schlick, "An inexpensive BRDF model for physically-based rendering", Eurographics 1994; that G conserves

@@ -4,6 +4,8 @@ package materials;
  * Torrance and Sparrow's Gaussian: D(θ) = N · exp(−κ θ²), θ in radians, κ = ln 2 / β². Source: Blinn, "Models of light
  * reflection for computer synthesized pictures", SIGGRAPH 1977, D₂. There is no closed form of N, which is computed by
  * Simpson's rule.
+ *
+ * <p><img src="doc-files/Torrance.png" width="320" height="240" alt="A ball with a highlight of Torrance">
  */
 public final class Torrance extends NormalDistributionFunction {
 

@@ -14,6 +14,8 @@ import radiometry.ReflectanceRGB;
  * </ul>
  * A polished distribution leaves an {@link IdealDielectric}.
  *
+ * <p><img src="doc-files/TransmissiveCookTorrance.png" width="320" height="240" alt="A glass ball with soft highlights">
+ *
  * <p>Sources: Walter, Marschner, Li and Torrance, "Microfacet models for refraction through rough surfaces", EGSR 2007,
  * equations 16, 20 and 21; G of Cook and Torrance, "A reflectance model for computer graphics", ACM Transactions on Graphics
  * 1(1), 1982; ideal rays beside lobes as in Whitted, "An improved illumination model for shaded display", Communications of

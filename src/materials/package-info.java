@@ -1,6 +1,24 @@
 /**
  * What surfaces do to light. Quantities and channels are those of {@link radiometry}.
  *
+ * <p><a href="Lambertian.html"><img src="doc-files/Lambertian.png" width="160" height="120" alt="Lambertian"></a>
+ * <a href="OrenNayar.html"><img src="doc-files/OrenNayar.png" width="160" height="120" alt="OrenNayar"></a>
+ * <a href="PhongLafortune.html"><img src="doc-files/PhongLafortune.png" width="160" height="120" alt="PhongLafortune"></a>
+ * <a href="ReflectiveCookTorrance.html"><img
+ *     src="doc-files/ReflectiveCookTorrance.png" width="160" height="120" alt="ReflectiveCookTorrance"></a>
+ * <a href="AshikhminShirley.html"><img
+ *     src="doc-files/AshikhminShirley.png" width="160" height="120" alt="AshikhminShirley"></a>
+ * <a href="IdealConductor.html"><img src="doc-files/IdealConductor.png" width="160" height="120" alt="IdealConductor"></a>
+ * <a href="IdealDielectric.html"><img
+ *     src="doc-files/IdealDielectric.png" width="160" height="120" alt="IdealDielectric"></a>
+ * <a href="TransmissiveCookTorrance.html"><img
+ *     src="doc-files/TransmissiveCookTorrance.png" width="160" height="120" alt="TransmissiveCookTorrance"></a>
+ * <a href="Blinn.html"><img src="doc-files/Blinn.png" width="160" height="120" alt="Blinn"></a>
+ * <a href="Horn.html"><img src="doc-files/Horn.png" width="160" height="120" alt="Horn"></a>
+ * <a href="Torrance.html"><img src="doc-files/Torrance.png" width="160" height="120" alt="Torrance"></a>
+ * <a href="GGX.html"><img src="doc-files/GGX.png" width="160" height="120" alt="GGX"></a>
+ * <a href="Beckmann.html"><img src="doc-files/Beckmann.png" width="160" height="120" alt="Beckmann"></a>
+ *
  * <h2>Conventions</h2>
  * <ul>
  * <li>Directions are unit vectors that point away from the surface: wi towards the light, wo towards the viewer. The

@@ -149,6 +149,7 @@ class FresnelTest {
     assertTrue(nothing.specular(0.3, true, rays));
     assertEquals("0.0 0.0 0.0 1.0 0.5 0.0", factors(rays));
     assertEquals(0.3, rays.refractedCosine(), 1e-12);
+    assertEquals(1, nothing.getReflectance(0, true), "along the surface everything is");
     final BTDF tinted = new IdealDielectric(new ReflectanceRGB(1, 0.5f, 0), 1.5f, 1);
     assertTrue(tinted.specular(1, false, rays));
     assertEquals(0.04, rays.reflectedR(), 1e-12);
