@@ -58,7 +58,9 @@ public final class MaterialFiles {
     final String[] names = whole != null ? new String[] {library.text()} : library.text().split("[ \t]+");
     for (final String name : names) {
       final Path found = find(file, name);
-      if (found == null) {
+      if (name.isEmpty()) {
+        warn(library.line(), "libraryNameless");
+      } else if (found == null) {
         warn(library.line(), "libraryMissing", Messages.quote(name));
       } else if (files.add(found)) {
         new MtlReader(found, problems::add, files, materials).read();

@@ -159,6 +159,10 @@ final class MtlReader {
     if (found.isMoved()) {
       warn(line, "mapMoved", Messages.quote(found.file()));
     }
+    if (found.file().isEmpty()) {
+      warn(line, "mapNameless");
+      return;
+    }
     final Path image = MaterialFiles.find(file, found.file());
     if (image == null) {
       warn(line, "mapMissing", Messages.quote(found.file()));

@@ -33,6 +33,7 @@ record Expected(String key, Range range) {
       return Messages.text("scenes." + key, name);
     }
     final String number = "expectedTriple".equals(key) ? "x" : name;
-    return range.hasEnd() ? Messages.text("scenes." + key, range.about(number)) : Messages.text("scenes." + key + "Any");
+    return range.hasEnd() ? Messages.text("scenes." + key, range.about(number), range.example())
+        : Messages.text("scenes." + key + "Any");
   }
 }

@@ -78,12 +78,14 @@ final class MaterialReader {
 
   private Material reflecting(final Element element, final String type, final String ndf, final float beta,
       final int errorsBefore) {
+    final int errors = values.problems().errors();
     final float[] diffuse = reflectance(element, "diffuseReflectance", needsDiffuse(type));
     final float[] conductive = reflectance(element, "conductiveReflectance", needsConductive(type));
+    final boolean isSound = values.problems().errors() == errors;
     final float sigma = values.number(element, "sigma", Range.RIGHT_ANGLE, 0);
     values.number(element, "alpha", Range.ANY, 0);
     final boolean lobe = !"Oren-Nayar".equals(type) && !"Ideal-Conductor".equals(type);
-    if (type != null && !needsDiffuse(type) && !needsConductive(type)) {
+    if (isSound && type != null && !needsDiffuse(type) && !needsConductive(type)) {
       checkEnergy(element, diffuse, conductive);
     }
     if (lobe && !isBlack(conductive)) {
@@ -118,14 +120,16 @@ final class MaterialReader {
 
   private Material refracting(final Element element, final String type, final String ndf, final float beta,
       final int errorsBefore) {
+    final int errors = values.problems().errors();
     final float[] dielectric = reflectance(element, "dielectricReflectance", false);
+    final boolean isSound = values.problems().errors() == errors;
     final float inside = values.number(element, "eta_int", Range.POSITIVE);
     final float outside = values.number(element, "eta_ext", Range.POSITIVE, AIR);
     final boolean rough = "Cook-Torrance".equals(type);
     if (rough) {
       warnIfPolished(element);
     }
-    if (illumination && isBlack(dielectric)) {
+    if (illumination && isBlack(dielectric) && isSound) {
       values.problems().warning(element.offset(), "blackDielectric", element.name());
     }
     if (values.problems().errors() > errorsBefore) {

@@ -50,6 +50,11 @@ record Range(double low, boolean lowAllowed, double high, boolean highAllowed) {
         + (highAllowed ? " <= " : " < ") + number(high);
   }
 
+  /** A number of this range, to show how numbers are written. */
+  String example() {
+    return contains(2.5) ? "2.5" : "0.5";
+  }
+
   private static String number(final double x) {
     return x == Math.rint(x) ? Long.toString((long) x) : Double.toString(x);
   }

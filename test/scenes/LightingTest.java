@@ -136,6 +136,25 @@ class LightingTest {
     assertEquals(List.of(message), lines);
   }
 
+  @Test
+  void aWrongReflectanceIsNotCalledBlackToo() {
+    assertProblems(withMaterial(BRDF.replace("0.5 0.4 0.3", "0.5 0.4")), "31:58: `diffuseReflectance` has 2 of three "
+        + "numbers: found `0.5 0.4`, expected three numbers separated by blanks, such as 0.2 0.5 0.3, each 0 <= x <= 1");
+    assertProblems(withMaterial("<btdf id=\"m\" type=\"Ideal-Dielectric\"><eta_int>1.5</eta_int><dielectricReflectance>2 1 1"
+        + "</dielectricReflectance></btdf>"), "31:94: `dielectricReflectance` is out of range: found `2`, "
+        + "expected a number such as 0.5, 0 <= dielectricReflectance <= 1");
+  }
+
+  @Test
+  void examplesInMessagesAreNumbersThatWouldBeRight() {
+    assertProblems(withMaterial(BRDF.replace("0.5 0.4 0.3", "1.5 0.4 0.3")), "31:58: `diffuseReflectance` is out of range: "
+        + "found `1.5`, expected a number such as 0.5, 0 <= diffuseReflectance <= 1");
+    assertProblems(withMaterial("<brdf id=\"m\" type=\"Ideal-Conductor\"></brdf>"), "31:12: `brdf` lacks "
+        + "`conductiveReflectance`: expected three numbers separated by blanks, such as 0.2 0.5 0.3, each 0 <= x <= 1.");
+    assertProblems(read("", LIGHT.replace("<spectrum>0.5 0.25 0.25</spectrum>", ""), BRDF, "<materialId>m</materialId>"),
+        "30:11: `light` lacks `spectrum`: expected three numbers separated by blanks, such as 0.2 0.5 0.3, each x >= 0.");
+  }
+
   @ParameterizedTest
   @CsvSource(delimiter = '|', value = {
     "<recursionDepth>-1</recursionDepth>|14:54: `recursionDepth` is out of range: found `-1`, expected a whole number, "

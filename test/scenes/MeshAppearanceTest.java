@@ -188,6 +188,13 @@ class MeshAppearanceTest {
   }
 
   @Test
+  void statementsWithoutTheNameOfAFileAreWarnings() {
+    assertEquals(List.of("my materials.mtl:2: `map_Kd` names no texture file: its facets have the colour Kd"),
+        warnings(readMaterial("newmtl Material #25\nmap_Kd -s 1 1 1 -clamp on\n")));
+    assertEquals(List.of("m.obj:1: `mtllib` names no material file"), warnings(read("mtllib\n" + SQUARE + FACET, "", "")));
+  }
+
+  @Test
   void whatIsMissingOfMaterialsIsAWarning() {
     final ReadResult reading = read("mtllib a.mtl b.mtl\n" + SQUARE + "usemtl x\n" + FACET + "usemtl x\n" + FACET, "", "");
     assertEquals(List.of("m.obj:1: there is no material file `a.mtl` beside the mesh",
