@@ -98,15 +98,25 @@ public final class Bvh {
     if (isEmpty() || Double.isNaN(x + y + z + dx + dy + dz)) {
       return;
     }
-    final double ix = 1 / dx, iy = 1 / dy, iz = 1 / dz;
+    final TraversalStack waiting = TraversalStack.ofThread();
+    final int base = waiting.used();
+    try {
+      closest(x, y, z, 1 / dx, 1 / dy, 1 / dz, leaves, waiting.take(depth + 1), base);
+    } finally {
+      waiting.release(base);
+    }
+  }
+
+  /** See above; takes reciprocals of the direction, and a stack that may be used from its place base on. */
+  private void closest(final double x, final double y, final double z, final double ix, final double iy, final double iz,
+      final Leaves leaves, final int[] stack, final int base) {
     final int nearX = ix < 0 ? 3 : 0, nearY = iy < 0 ? 4 : 1, nearZ = iz < 0 ? 5 : 2;
-    final int[] stack = new int[depth + 1];
-    int top = 0, node = root;
+    int top = base, node = root;
     double farthest = Double.POSITIVE_INFINITY;
     while (true) {
       if (node < 0) {
         farthest = visit(node, leaves);
-        if (top == 0) {
+        if (top == base) {
           return;
         }
         node = stack[--top];
@@ -121,7 +131,7 @@ public final class Bvh {
           node = links[2 * node + nearer];
         } else if (crossesA || crossesB) {
           node = links[2 * node + (crossesA ? 0 : 1)];
-        } else if (top == 0) {
+        } else if (top == base) {
           return;
         } else {
           node = stack[--top];
@@ -148,12 +158,21 @@ public final class Bvh {
     if (isEmpty() || Double.isNaN(x + y + z + dx + dy + dz)) {
       return false;
     }
-    final double ix = 1 / dx, iy = 1 / dy, iz = 1 / dz;
+    final TraversalStack waiting = TraversalStack.ofThread();
+    final int base = waiting.used();
+    try {
+      return any(x, y, z, 1 / dx, 1 / dy, 1 / dz, tmax, leaves, waiting.take(depth + 1), base);
+    } finally {
+      waiting.release(base);
+    }
+  }
+
+  private boolean any(final double x, final double y, final double z, final double ix, final double iy, final double iz,
+      final double tmax, final AnyLeaves leaves, final int[] stack, final int base) {
     final int nearX = ix < 0 ? 3 : 0, nearY = iy < 0 ? 4 : 1, nearZ = iz < 0 ? 5 : 2;
-    final int[] stack = new int[depth + 1];
-    int top = 1;
-    stack[0] = root;
-    while (top > 0) {
+    int top = base;
+    stack[top++] = root;
+    while (top > base) {
       int node = stack[--top];
       while (node >= 0) {
         final int a = node * 12;
