@@ -165,7 +165,8 @@ final class Options {
   }
 
   private void checkTogether() throws UsageException {
-    if (output != null && scenes.size() > 1 && Files.exists(path(output)) && !Files.isDirectory(path(output))) {
+    if (output != null && scenes.size() > 1 && !Files.isDirectory(path(output))
+        && (Files.exists(path(output)) || output.toLowerCase(Locale.ROOT).endsWith(".png"))) {
       throw new UsageException("outputNoFolder", output);
     }
     if (output != null && scenes.isEmpty() && isScene(output)) {

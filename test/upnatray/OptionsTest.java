@@ -67,6 +67,7 @@ class OptionsTest {
   void severalPicturesDoNotFitAFile(@TempDir final Path folder) throws Exception {
     final Path file = Files.createFile(folder.resolve("f"));
     assertThrows(UsageException.class, () -> Options.of("a.xml", "b.xml", "-o", file.toString()));
+    assertThrows(UsageException.class, () -> Options.of("a.xml", "b.xml", "-o", folder.resolve("both.PNG").toString()));
     assertArrayEquals(new int[] {3, 2}, Options.of("a.xml", "-o", file.toString()).size(3, 2));
   }
 }
