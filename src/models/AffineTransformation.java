@@ -39,6 +39,7 @@ public class AffineTransformation extends Object3D {
   private static final double ROUNDING = 0x1p-46;
 
   private final Object3D object;
+  private final Object3D asked;
   private final Vector3f scale;
   private final Vector3f axis;
   private final float theta;
@@ -63,6 +64,7 @@ public class AffineTransformation extends Object3D {
   public AffineTransformation(final Vector3f s, final Vector3f axis, final float theta,
       final Vector3f d, final Object3D object) {
     this.object = notNull("object", object);
+    this.asked = OverridingShape.asked(object);
     object.markContained();
     this.shiftX = finite("d", d).x;
     this.shiftY = d.y;
@@ -142,6 +144,7 @@ public class AffineTransformation extends Object3D {
   private AffineTransformation(final Vector3d s, final Matrix3d rotation, final Vector3d d, final Object3D object) {
     super();
     this.object = notNull("object", object);
+    this.asked = OverridingShape.asked(object);
     object.markContained();
     this.shiftX = notNull("d", d).x;
     this.shiftY = d.y;
@@ -229,7 +232,7 @@ public class AffineTransformation extends Object3D {
     final double t = distance(ray.startX(), ray.startY(), ray.startZ(),
         ray.directionX(), ray.directionY(), ray.directionZ());
     if (Double.isNaN(t)) {
-      final Hit hit = askFor(object, toObject(ray));
+      final Hit hit = askFor(asked, toObject(ray));
       return inScene(hit, hit.distance() / stretch(ray.directionX(), ray.directionY(), ray.directionZ()));
     }
     return Hit.isDistance(t) ? hitAt(ray, t, 0) : Hit.NOHIT;
@@ -238,14 +241,14 @@ public class AffineTransformation extends Object3D {
   @Override
   double distance(final double x, final double y, final double z, final double dx, final double dy, final double dz) {
     final double k = stretch(dx, dy, dz), px = x - shiftX, py = y - shiftY, pz = z - shiftZ;
-    return object.distance(firstOf(px, py, pz), secondOf(px, py, pz), thirdOf(px, py, pz),
+    return asked.distance(firstOf(px, py, pz), secondOf(px, py, pz), thirdOf(px, py, pz),
         firstOf(dx, dy, dz) / k, secondOf(dx, dy, dz) / k, thirdOf(dx, dy, dz) / k) / k;
   }
 
   @Override
   Hit hitAt(final Ray ray, final double t, final int part) {
     final double k = stretch(ray.directionX(), ray.directionY(), ray.directionZ());
-    return inScene(object.hitAt(toObject(ray), t * k, part), t);
+    return inScene(asked.hitAt(toObject(ray), t * k, part), t);
   }
 
   /** Length in the object's frame of a unit vector of the scene. */
@@ -344,7 +347,7 @@ public class AffineTransformation extends Object3D {
 
   @Override
   boolean intersectsBefore(final Ray ray, final double tmax) {
-    return object.intersectsBefore(toObject(ray), tmax * stretch(ray.directionX(), ray.directionY(), ray.directionZ()));
+    return asked.intersectsBefore(toObject(ray), tmax * stretch(ray.directionX(), ray.directionY(), ray.directionZ()));
   }
 
   @Override
@@ -354,7 +357,7 @@ public class AffineTransformation extends Object3D {
 
   @Override
   boolean answersTiles() {
-    return object.answersTiles();
+    return asked.answersTiles();
   }
 
   @Override
@@ -366,7 +369,7 @@ public class AffineTransformation extends Object3D {
     final TileHits local = hits.nested();
     fill(local.rays(), rays);
     local.clear();
-    object.closestHits(local.rays(), local);
+    asked.closestHits(local.rays(), local);
     for (int row = rays.firstRow(); row <= rays.lastRow(); row++) {
       for (int i = row * RayTile.SIZE + rays.firstColumn(); i <= row * RayTile.SIZE + rays.lastColumn(); i++) {
         if (local.hits(i)) {

@@ -69,7 +69,7 @@ final class FlatGroup {
     this.boxes = new BoundingBox[n];
     for (int i = 0; i < n; i++) {
       order[i] = i < unbounded ? sorted[i] : sorted[unbounded + place[i - unbounded]];
-      objects[i] = all.get(order[i]);
+      objects[i] = OverridingShape.asked(all.get(order[i]));
       boxes[i] = boxOf[order[i]];
     }
     this.changeable = changeable(objects);
