@@ -261,7 +261,7 @@ public final class RayTile {
   /**
    * Makes the pixels whose rays may cross a box the window: no ray outside it does.
    *
-   * @param box the box, perhaps without end
+   * @param box the box, perhaps unbounded
    * @return whether any pixel is left
    */
   public boolean narrowTo(final BoundingBox box) {

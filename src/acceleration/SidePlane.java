@@ -36,7 +36,7 @@ final class SidePlane {
     farZ = nz > 0 ? 5 : 2;
   }
 
-  /** Allows for the rounding of coordinates, seen from the origin, up to the given ones; answers what they can add up to. */
+  /** Allows for the rounding of coordinates, seen from the origin, up to the given ones; returns what they can add up to. */
   double loosen(final double mostX, final double mostY, final double mostZ) {
     final double most = Math.abs(x) * mostX + Math.abs(y) * mostY + Math.abs(z) * mostZ + Math.abs(c);
     loose = Math.nextUp((float) (c + ROUNDING * most));

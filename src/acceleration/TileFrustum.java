@@ -8,7 +8,7 @@ import primitives.BoundingBox;
  * <p>Found from the rays alone, whatever camera made them. If they share a start, their slopes about the mean direction are
  * nearly a regular grid (a pyramid); if they share a direction, their starts are (a prism). A grid is fitted, and how far
  * the rays stray from it, in pixels, is kept as a margin: each ray is projected to within the margin of its own column and
- * row. So all answers are conservative: what a ray of the tile can meet is never said to be outside. Rays that share neither
+ * row. So all results are conservative: what a ray of the tile can hit is never said to be outside. Rays that share neither
  * start nor direction are not fitted.
  *
  * <p>The projection is homogeneous: with V = P − O, column = (C·V + c) / (D·V + d) and the same for the row, where
@@ -260,7 +260,7 @@ public final class TileFrustum {
    * Finds the pixels whose rays may cross a box.
    *
    * @param box a finite box
-   * @return whether there are any; if so, {@link #firstColumn} and its kin tell which
+   * @return whether there are any; if so, {@link #firstColumn} and its kin say which
    */
   boolean project(final BoundingBox box) {
     final double x = 0.5 * ((double) box.minX() + box.maxX()) - originX, hx = 0.5 * ((double) box.maxX() - box.minX());
@@ -295,7 +295,7 @@ public final class TileFrustum {
    * @param cx first coordinate of the third vertex
    * @param cy second coordinate of the third vertex
    * @param cz third coordinate of the third vertex
-   * @return whether there are any; if so, {@link #firstColumn} and its kin tell which
+   * @return whether there are any; if so, {@link #firstColumn} and its kin say which
    */
   public boolean project(final double ax, final double ay, final double az,
       final double bx, final double by, final double bz, final double cx, final double cy, final double cz) {

@@ -5,7 +5,7 @@ import javax.vecmath.Tuple3f;
 /**
  * The one place where the arguments of public constructors and methods are checked.
  *
- * <p>Each check answers the value it was given, so that it can stand in an assignment
+ * <p>Each check returns the value it was given, so that it can stand in an assignment
  * ({@code this.r = positive("r", r)}), or throws an {@link IllegalArgumentException} whose message
  * names the argument and the value found, in the language of the default locale (English, Spanish).
  */

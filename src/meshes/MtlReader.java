@@ -41,7 +41,7 @@ final class MtlReader {
    * A reader of a file.
    *
    * @param file the file
-   * @param problems who is told of problems, which are warnings
+   * @param problems receives the problems, which are warnings
    * @param files gets the files of textures
    * @param materials gets the materials by their names, unless it has one of the name
    */

@@ -220,7 +220,7 @@ public class Group3D extends Object3D {
   }
 
   /**
-   * Offers the closest hits of the rays of a tile: what {@link #intersectionWith} answers for each of them.
+   * Offers the closest hits of the rays of a tile: what {@link #intersectionWith} returns for each of them.
    *
    * @param rays the rays
    * @param hits the hits found so far, {@link TileHits#clear cleared} by whoever begins

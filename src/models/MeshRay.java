@@ -24,7 +24,7 @@ final class MeshRay implements Bvh.Leaves {
     this.error = mesh.error(ray.startX(), ray.startY(), ray.startZ());
   }
 
-  /** Number of triangles that are tested for the answer. */
+  /** Number of triangles that are tested. */
   static int cost(final Ray ray, final MeshTree mesh) {
     final MeshRay query = new MeshRay(mesh, ray);
     final int[] cost = new int[1];

@@ -24,12 +24,12 @@ import tracer.Ray;
  *     the inside of a closed object that is its far wall. A ray that starts exactly on the surface may or may not
  *     meet it there; a tangent ray may or may not touch;</li>
  * <li>the normal is of unit length and belongs to the surface: outward, never turned towards the ray;</li>
- * <li>if there is no such t the answer is {@link Hit#NOHIT}, as it always is for {@link Ray#NORAY};</li>
+ * <li>if there is no such t the result is {@link Hit#NOHIT}, as it always is for {@link Ray#NORAY};</li>
  * <li>the object is not changed, so that several threads can query it at once. Between two pictures it may change, its box
  *     too: a picture shows it as it is when its {@code synthesis} begins, and it must not change before that ends.</li>
  * </ul>
  *
- * <p>The shapes of this package answer faster by the three methods that only they see: {@link #distance}, a formula
+ * <p>The shapes of this package are faster by the three methods that only they see: {@link #distance}, a formula
  * for t alone; {@link #hitAt}, which makes the hit once the closest t is known; and {@link #closestHits}, for all rays
  * of a tile at once. Each has a default that calls {@link #intersectionWith}.
  */
@@ -146,9 +146,9 @@ public abstract class Object3D {
 
   /**
    * What a constructor of its class makes the same object of: points, vectors, numbers, objects and the colour, in the order
-   * of the parameters. A class that answers this can have its hits written down as tests.
+   * of the parameters. A class that returns them can have its hits written down as tests.
    *
-   * @return the arguments; empty, as by default, if the object cannot tell
+   * @return the arguments; empty, as by default, if they are not known
    */
   public List<Object> constructorArguments() {
     return List.of();
@@ -195,7 +195,7 @@ public abstract class Object3D {
    *
    * @param ray the ray
    * @param t what {@link #distance} or {@link #closestHits} found for it
-   * @param part which part of the object was met, as {@link #closestHits} told it; 0 for an object without parts
+   * @param part which part of the object was hit, as {@link #closestHits} found it; 0 for an object without parts
    */
   Hit hitAt(final Ray ray, final double t, final int part) {
     return intersectionWith(ray);

@@ -7,7 +7,7 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * The closest hits found so far for the rays of a tile: for each its distance, the object that answered and what is to be
+ * The closest hits found so far for the rays of a tile: for each its distance, the object that was hit and what is to be
  * painted. Nothing is allocated for a hit unless {@link #hit} is called. Not safe for use by several threads.
  *
  * <p>Distances are compared as floats, as {@link Hit#isCloser} compares them, and of two at the same distance the
@@ -83,7 +83,7 @@ public final class TileHits {
     currentOrder = order;
   }
 
-  /** Offers what an object without parts answered for a ray; if that is NaN, the object is asked for the hit itself. */
+  /** Offers what an object without parts returned for a ray; if that is NaN, the object is asked for the hit itself. */
   void offer(final int i, final double distance, final Object3D object) {
     if (Double.isNaN(distance)) {
       askFor(i, object);
@@ -124,7 +124,7 @@ public final class TileHits {
         || f == best && (currentOrder < order[i] || currentOrder == order[i] && itsPart < part[i]));
   }
 
-  /** Takes a hit that {@link #isCloser} approved: who answers for it, and what is to be painted. */
+  /** Takes a hit that {@link #isCloser} approved: its owner, and what is to be painted. */
   void take(final int i, final double distance, final Object3D itsOwner, final Object3D itsPainted, final int itsPart) {
     final int row = i / RayTile.SIZE, before = compared[i];
     t[i] = distance;
@@ -230,7 +230,7 @@ public final class TileHits {
   }
 
   /**
-   * The whole hit of a ray: what the group's {@code intersectionWith} answers for it.
+   * The whole hit of a ray: what the group's {@code intersectionWith} returns for it.
    *
    * @param i number of the pixel
    * @return the hit, or {@link Hit#NOHIT}

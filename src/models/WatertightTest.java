@@ -12,7 +12,7 @@ import primitives.BoundingBox;
  * goes with either. A triangle across the edge computes exactly the negated number, so a line cannot pass between the
  * two. Around a vertex that is not enough: there all the signs must come from one geometry. So a sign that rounding could
  * have changed is computed once more exactly, which is rare. The form by signed volumes is that of Davis, Davis, and
- * Amanatides as told by Segura and Feito, "Algorithms to test ray-triangle intersection", WSCG 2001; the aim, though not
+ * Amanatides as reported by Segura and Feito, "Algorithms to test ray-triangle intersection", WSCG 2001; the aim, though not
  * the method, is that of Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013; the filter
  * before exact arithmetic that of Shewchuk, "Adaptive Precision Floating-Point Arithmetic", 1997.
  *
@@ -60,7 +60,7 @@ final class WatertightTest {
   /**
    * Distance at which a ray meets a triangle.
    *
-   * @param error what {@link #error} answered for a box of the triangle
+   * @param error what {@link #error} returned for a box of the triangle
    * @return the t, negative if the triangle is behind the start; NaN if the line misses it or lies in its plane
    */
   static double distance(final double ax, final double ay, final double az,

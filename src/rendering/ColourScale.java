@@ -17,7 +17,7 @@ public final class ColourScale {
   }
 
   /**
-   * The scale of distances, from white to black, evenly in 1/t: so a plane without end leaves shades for what stands on it.
+   * The scale of distances, from white to black, evenly in 1/t: so an infinite plane leaves shades for what stands on it.
    *
    * @param near least distance, &gt; 0
    * @param far greatest distance, at least the least one

@@ -8,7 +8,7 @@ public interface Progress {
   Progress NONE = (x, y, width, height) -> true;
 
   /**
-   * Is told that a rectangle of the image is finished.
+   * Called when a rectangle of the image is finished.
    *
    * @param x its first column in the {@code BufferedImage}
    * @param y its first row in the {@code BufferedImage}, which counts from the top

@@ -45,7 +45,7 @@ final class Shapes {
       return null;
     }
 
-    /** A texture turns with the sphere, which a point for its centre does not tell. */
+    /** A texture turns with the sphere, which the position of its centre alone does not determine. */
     @Override
     public Object3D placed(final Placement placement, final Appearance look) {
       return look.texture() == null ? Model.super.placed(placement, look)

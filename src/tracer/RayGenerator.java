@@ -46,7 +46,7 @@ public abstract class RayGenerator {
   public abstract Ray getRay(int m, int n);
 
   /**
-   * Fills a tile with the rays of a rectangle of pixels: those that {@link #getRay} answers, bit for bit.
+   * Fills a tile with the rays of a rectangle of pixels: those that {@link #getRay} returns, bit for bit.
    *
    * @param tile the tile, opened for the size of the rectangle; who calls closes it
    * @param m column of its first pixel

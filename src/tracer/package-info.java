@@ -1,7 +1,7 @@
 /**
  * Rays, what they hit, and where they come from.
  *
- * <p>A {@link tracer.Ray} is a start and a unit direction; a {@link tracer.Hit} is what an object answers when a
+ * <p>A {@link tracer.Ray} is a start and a unit direction; a {@link tracer.Hit} is what an object returns when a
  * ray meets it; a {@link tracer.RayGenerator} makes the rays of a camera, one for each pixel. Two constants stand
  * for absence, so that nothing is null: {@link tracer.Ray#NORAY} and {@link tracer.Hit#NOHIT}. The conventions are
  * in {@link primitives}.

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import arguments.Messages;
 
 /**
- * What happens when the program is told to end (Ctrl-C): the rendering stops, and what is done of its picture is kept
+ * What happens when the program is interrupted (Ctrl-C): the rendering stops, and what is done of its picture is kept
  * under another name. The virtual machine waits for this, however busy the other threads are.
  */
 final class InterruptHandler extends Thread {

@@ -3,7 +3,7 @@ package upnatray;
 import java.io.Console;
 import java.lang.reflect.InvocationTargetException;
 
-/** A line on the terminal that tells how much of a picture is done; nothing where the output is no terminal. */
+/** A line on the terminal that shows how much of a picture is done; nothing where the output is not a terminal. */
 final class ProgressLine {
 
   private static final long NANOSECONDS_BETWEEN = 100_000_000;
@@ -20,7 +20,7 @@ final class ProgressLine {
     this.total = total;
   }
 
-  /** From JDK 22 on there may be a console that is no terminal, which a method of that time tells. */
+  /** From JDK 22 on there may be a console that is no terminal, which a newer method reports. */
   private static boolean isTerminal() {
     final Console console = System.console();
     try {
@@ -32,7 +32,7 @@ final class ProgressLine {
     }
   }
 
-  /** Counts pixels that are done, and every tenth of a second tells how many there are. */
+  /** Counts pixels that are done, and every tenth of a second shows how many there are. */
   synchronized void add(final int pixels) {
     done += pixels;
     if (shown && System.nanoTime() - last > NANOSECONDS_BETWEEN) {

@@ -73,7 +73,7 @@ public final class RenderJob {
   /**
    * Renders the picture.
    *
-   * @param watcher is told of each tile when it can be seen, and may end the rendering
+   * @param watcher is called for each tile once it can be seen, and may end the rendering
    * @return whether all of it was rendered; false if it was cancelled
    * @throws IllegalArgumentException if the watcher is null
    */

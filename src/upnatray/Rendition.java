@@ -35,7 +35,7 @@ final class Rendition implements Progress {
     return target;
   }
 
-  /** Computes the image; answers false if that was interrupted. */
+  /** Computes the image; returns false if that was interrupted. */
   boolean render() {
     interruption.rendering(this);
     try {

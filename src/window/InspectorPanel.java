@@ -190,7 +190,7 @@ final class InspectorPanel extends JPanel {
     copy.setEnabled(selected().isPresent());
   }
 
-  /** Sets who is told of the rays that the selected line is about. */
+  /** Sets the listener for the rays that the selected line is about. */
   void setRayListener(final Consumer<List<Wireframe.Line>> listener) {
     rayListener = listener;
   }
