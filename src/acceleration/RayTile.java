@@ -43,7 +43,7 @@ public final class RayTile {
   private final double[] b = new double[SIZE * SIZE];
   private Pencil pencil;
 
-  /** The pencil whose start all pixels have at present; null if it is none. */
+  /** The pencil whose start all pixels have at present; null if there is no such pencil. */
   private Pencil started;
 
   private Kind kind = Kind.NONE;
