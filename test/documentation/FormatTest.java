@@ -19,7 +19,8 @@ import org.junit.jupiter.api.Test;
 /** Texts keep the rules of {@code .editorconfig}. */
 class FormatTest {
 
-  private static final List<String> FOLDERS = List.of(".ci", "bench", "doc", "handin", "nbproject", "scenes", "src", "test");
+  private static final List<String> FOLDERS =
+      List.of(".ci", "ant", "bench", "doc", "handin", "nbproject", "scenes", "src", "test");
   private static final String TEXT = ".*\\.(java|properties|xml|xsd|xsl|html|md)|\\.ci/\\w+|UPNaTRay";
 
   private final List<String> rules = Files.readAllLines(Path.of(".editorconfig"));

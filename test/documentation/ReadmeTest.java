@@ -101,10 +101,13 @@ class ReadmeTest {
 
   @Test
   void antKnowsTheTargetsThatItIsGiven() throws IOException {
-    final String build = Files.readString(Path.of("build.xml"));
+    final StringBuilder build = new StringBuilder();
+    for (final String part : names(Path.of("ant"), ".xml")) {
+      build.append(Files.readString(Path.of("ant", part + ".xml")));
+    }
     final List<String> targets = readme.all("`ant ([a-z-]{3,})`");
     assertTrue(targets.size() > 6, targets.toString());
-    assertEquals(List.of(), targets.stream().filter(target -> !build.contains("<target name=\"" + target + "\""))
+    assertEquals(List.of(), targets.stream().filter(target -> build.indexOf("<target name=\"" + target + "\"") < 0)
         .collect(Collectors.toList()));
   }
 
