@@ -18,8 +18,9 @@ final class Rules {
   static final String NAME = "UPNaTRay";
 
   private static final int PAGES = 3;
-  private static final List<String> NEEDED = List.of("build.xml", "ivy.xml", "nbproject/project.properties",
-      "nbproject/project.xml", "lib/build.retrieved");
+  private static final List<String> NEEDED = List.of("build.xml", "ant/libraries.xml", "ant/program.xml", "ant/test.xml",
+      "ant/quality.xml", "ant/handin.xml", "ivy.xml", "nbproject/project.properties", "nbproject/project.xml",
+      "lib/build.retrieved");
   private static final Pattern PROJECT_NAME = Pattern.compile("<name>\\s*([^<]*?)\\s*</name>");
   private static final Pattern LIBRARY = Pattern.compile("\\blib/(compile|test)/[\\w.-]+\\.jar");
   private static final int WORDS = Pattern.CASE_INSENSITIVE | Pattern.UNICODE_CASE;
