@@ -9,8 +9,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-import models.AffineTransformation;
-import models.Group3D;
 import models.SphereTrace;
 import models.Object3D;
 import models.Plane;
@@ -32,7 +30,7 @@ final class AllIntersections {
   private final Ray sceneRay;
   private final List<Intersection> intersections = new ArrayList<>();
   private final Set<Object3D> seen = Collections.newSetFromMap(new IdentityHashMap<>());
-  private final Deque<AffineTransformation> transformations = new ArrayDeque<>();
+  private final Deque<Object3D> transformations = new ArrayDeque<>();
   private final Deque<Ray> rays = new ArrayDeque<>();
   private Object3D sceneObject;
   private String name = "";
@@ -44,12 +42,12 @@ final class AllIntersections {
 
   List<Intersection> all() {
     rays.push(sceneRay);
-    visitMembers(scene.objects());
+    visitParts(scene.objects());
     return intersections;
   }
 
-  private void visitMembers(final Group3D group) {
-    for (final Object3D part : group.getObjects()) {
+  private void visitParts(final Object3D whole) {
+    for (final Object3D part : whole.parts()) {
       if (transformations.isEmpty()) {
         if (!seen.add(part)) {
           continue;
@@ -62,16 +60,17 @@ final class AllIntersections {
   }
 
   private void visit(final Object3D object) {
-    if (object instanceof Group3D group) {
-      visitMembers(group);
-    } else if (object instanceof AffineTransformation transformation) {
-      transformations.push(transformation);
-      rays.push(transformation.rayToObject(rays.peek()));
-      visit(transformation.getObject());
+    final Ray ray = rays.peek(), inner = object.rayToParts(ray);
+    if (object.parts().isEmpty()) {
+      testShape(object);
+    } else if (inner == ray) {
+      visitParts(object);
+    } else {
+      transformations.push(object);
+      rays.push(inner);
+      visitParts(object);
       rays.pop();
       transformations.pop();
-    } else {
-      testShape(object);
     }
   }
 
@@ -168,9 +167,9 @@ final class AllIntersections {
     final Ray[] inner = rays.toArray(new Ray[0]);
     Hit outer = hit;
     int i = 0;
-    for (final AffineTransformation transformation : transformations) {
+    for (final Object3D transformation : transformations) {
       localRays.add(0, new LocalRay(transformation, inner[i], outer));
-      outer = transformation.hitToScene(inner[++i], outer);
+      outer = transformation.hitFromParts(inner[++i], outer);
     }
     return outer;
   }

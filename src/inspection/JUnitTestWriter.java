@@ -11,7 +11,6 @@ import javax.vecmath.Tuple3f;
 
 import materials.Material;
 import materials.Texture;
-import models.Group3D;
 import models.Object3D;
 import models.TriangularMesh;
 import tracer.Hit;
@@ -86,13 +85,13 @@ public final class JUnitTestWriter {
 
   /** The expression that recreates an object; for a group, the contained object that was hit. */
   private String object(final Object3D object) {
-    if (object instanceof Group3D) {
-      return object(intersection.object());
-    }
     if (object instanceof TriangularMesh && intersection.hit().hits()) {
       return object(intersection.hit().getObject());
     }
     final List<Object> arguments = object.constructorArguments();
+    if (arguments.isEmpty() && !object.parts().isEmpty()) {
+      return object(intersection.object());
+    }
     final String name = object.getClass().getCanonicalName();
     if (arguments.isEmpty() || name == null || !Modifier.isPublic(object.getClass().getModifiers())) {
       final String simple = object.getClass().getSimpleName();

@@ -1,15 +1,15 @@
 package inspection;
 
-import models.AffineTransformation;
+import models.Object3D;
 import tracer.Hit;
 import tracer.Ray;
 
 /**
- * A ray and its hit in the frame of a transformed object.
+ * A ray and its hit in the frame of an object that is transformed.
  *
- * @param transformation the transformation from that frame to the surrounding one
+ * @param transformation the object that leads from that frame to the surrounding one
  * @param ray the ray in that frame, with unit direction
  * @param hit the hit in that frame
  */
-public record LocalRay(AffineTransformation transformation, Ray ray, Hit hit) {
+public record LocalRay(Object3D transformation, Ray ray, Hit hit) {
 }

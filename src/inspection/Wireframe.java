@@ -150,11 +150,9 @@ public final class Wireframe {
   }
 
   private void addBoxes(final Group3D group) {
-    for (final Object3D object : group.getObjects()) {
+    for (final Object3D object : group.getMembers()) {
       final BoundingBox box = boxOf(object);
-      if (object instanceof Group3D part) {
-        addBoxes(part);
-      } else if (box != null && box.isFinite() && lines.size() < MAX_BOXES * 12) {
+      if (box != null && box.isFinite() && lines.size() < MAX_BOXES * 12) {
         addBox(box, object.getColor() == null ? 0 : object.getColor().getRGB());
       }
     }
@@ -187,10 +185,8 @@ public final class Wireframe {
   }
 
   private void addPlanes(final Group3D group) {
-    for (final Object3D object : group.getObjects()) {
-      if (object instanceof Group3D part) {
-        addPlanes(part);
-      } else if (object instanceof Plane plane) {
+    for (final Object3D object : group.getMembers()) {
+      if (object instanceof Plane plane) {
         addSquare(plane, plane.intersectionWith(new Ray(centre(), normal(plane))),
             plane.intersectionWith(new Ray(centre(), opposite(normal(plane)))));
       }

@@ -290,6 +290,11 @@ public class AffineTransformation extends Object3D {
     return rayToObject(ray);
   }
 
+  @Override
+  public Hit hitFromParts(final Ray ray, final Hit hit) {
+    return hitToScene(ray, hit);
+  }
+
   /**
    * What a hit in the frame of the object is in the scene: distance, point and normal.
    *
@@ -352,7 +357,7 @@ public class AffineTransformation extends Object3D {
 
   @Override
   boolean isTextured() {
-    return object.isTextured() || isPatterned(object.getClass());
+    return object.isTextured() || Pattern.isOn(object.getClass());
   }
 
   @Override

@@ -1,7 +1,6 @@
 package models;
 
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.Deque;
@@ -105,7 +104,7 @@ final class FlatGroup {
   }
 
   static FlatGroup of(final Group3D group, final long additions) {
-    return new FlatGroup(membersOf(group), additions);
+    return new FlatGroup(OpenedGroup.membersOf(group), additions);
   }
 
   /** Whether these are the members after so many additions. */
@@ -131,28 +130,6 @@ final class FlatGroup {
   private static boolean isSame(final BoundingBox a, final BoundingBox b) {
     return a.minX() == b.minX() && a.minY() == b.minY() && a.minZ() == b.minZ()
         && a.maxX() == b.maxX() && a.maxY() == b.maxY() && a.maxZ() == b.maxZ();
-  }
-
-  /** The objects of a group and of the groups within it, in the order in which they would be asked, none twice. */
-  private static List<Object3D> membersOf(final Group3D group) {
-    final List<Object3D> members = new ArrayList<>();
-    final Set<Object3D> seen = Collections.newSetFromMap(new IdentityHashMap<>());
-    final Deque<Object3D> open = new ArrayDeque<>(List.of(group));
-    while (!open.isEmpty()) {
-      final Object3D object = open.pop();
-      if (!seen.add(object)) {
-        continue;
-      }
-      if (object instanceof Group3D) {
-        final List<Object3D> parts = ((Group3D) object).objectsForTree();
-        for (int i = parts.size() - 1; i >= 0; i--) {
-          open.push(parts.get(i));
-        }
-      } else {
-        members.add(object);
-      }
-    }
-    return members;
   }
 
   /** Box of an object, where a user-written one may return null. */

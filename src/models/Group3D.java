@@ -89,10 +89,11 @@ public class Group3D extends Object3D {
     }
   }
 
-  /** The objects that a tree is about to be built of, which is put out of date by the next addition. */
-  List<Object3D> objectsForTree() {
+  /** Its objects become part of a tree, which the next addition puts out of date. */
+  @Override
+  void addTo(final OpenedGroup opened) {
     isInTree = true;
-    return getObjects();
+    opened.addAll(getObjects());
   }
 
   @Override
@@ -130,6 +131,15 @@ public class Group3D extends Object3D {
     synchronized (objects) {
       return List.copyOf(objects);
     }
+  }
+
+  /**
+   * The objects of the group with those of the groups within it in their place.
+   *
+   * @return a list of its own without groups, in the order in which a ray asks them, each object once
+   */
+  public List<Object3D> getMembers() {
+    return OpenedGroup.membersOf(this);
   }
 
   @Override

@@ -5,7 +5,6 @@ import static arguments.Arguments.wrongState;
 
 import java.awt.Color;
 import java.util.List;
-import java.util.stream.Stream;
 
 import acceleration.RayTile;
 import materials.Material;
@@ -37,19 +36,6 @@ public abstract class Object3D {
 
   /** What a limit is multiplied by where distances have only floats behind them: what is at the limit is not before it. */
   private static final double FLOAT_LIMIT = 1 - 0x1p-21;
-
-  /** Of each class whether it has a {@link #getColorAt} of its own, unless {@link #isTextured} of the same class decides. */
-  private static final ClassValue<Boolean> PATTERNED = new ClassValue<>() {
-    @Override
-    protected Boolean computeValue(final Class<?> type) {
-      try {
-        final Class<?> declaring = type.getMethod("getColorAt", Hit.class).getDeclaringClass();
-        return Stream.of(declaring.getDeclaredMethods()).noneMatch(method -> "isTextured".equals(method.getName()));
-      } catch (final NoSuchMethodException impossible) {
-        throw new AssertionError(impossible);
-      }
-    }
-  };
 
   private final Color color;
   private final Material material;
@@ -181,6 +167,19 @@ public abstract class Object3D {
   }
 
   /**
+   * A hit of one of the {@link #parts()} as a hit of this object.
+   *
+   * @param ray a ray in the frame of this object
+   * @param hit what it hits in the frame of the parts
+   * @return the hit in the frame of this object; by default the same
+   * @throws IllegalArgumentException if an argument is null
+   */
+  public Hit hitFromParts(final Ray ray, final Hit hit) {
+    notNull("ray", ray);
+    return notNull("hit", hit);
+  }
+
+  /**
    * Distance at which a ray, given as six numbers so that nothing needs to be allocated, first meets the object.
    *
    * @return the smallest t &gt; 0; infinity if there is none, also for a ray of NaN; NaN from an object that has no
@@ -227,6 +226,11 @@ public abstract class Object3D {
     return Double.isNaN(t) ? askFor(this, ray).distance() < tmax * FLOAT_LIMIT : t > 0 && t < tmax;
   }
 
+  /** Adds to the members of a group what this part of it stands for: itself, or the objects of a group. */
+  void addTo(final OpenedGroup members) {
+    members.add(this);
+  }
+
   /** Called when the object has become part of a group, directly or transformed. */
   void addContainer(final Group3D container) {
   }
@@ -247,11 +251,6 @@ public abstract class Object3D {
   /** Whether the colour of this object depends on where it is hit; a class may say so by overriding {@link #getColorAt}. */
   boolean isTextured() {
     return false;
-  }
-
-  /** Whether a class has a {@link #getColorAt} of its own. */
-  static boolean isPatterned(final Class<?> type) {
-    return PATTERNED.get(type);
   }
 
   /** Colour of a part, as sRGB with alpha. */

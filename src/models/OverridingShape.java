@@ -37,7 +37,8 @@ final class OverridingShape extends Object3D {
     this.shape = shape;
   }
 
-  private static boolean declares(final Class<?> type, final String name) {
+  /** Whether a class itself, not one that it extends, declares a method of a name. */
+  static boolean declares(final Class<?> type, final String name) {
     for (final var method : type.getDeclaredMethods()) {
       if (method.getName().equals(name)) {
         return true;

@@ -212,7 +212,7 @@ public final class TileHits {
   private boolean isPatterned(final Object3D object) {
     if (object.getClass() != lastClass) {
       lastClass = object.getClass();
-      lastIsPatterned = Object3D.isPatterned(lastClass);
+      lastIsPatterned = Pattern.isOn(lastClass);
     }
     return lastIsPatterned || object.isTextured();
   }

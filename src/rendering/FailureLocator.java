@@ -105,7 +105,7 @@ final class FailureLocator {
         return failing;
       }
     }
-    if (!parts.isEmpty() || object instanceof Group3D) {
+    if (!parts.isEmpty()) {
       return null;
     }
     final String name = object.getClass().getName();

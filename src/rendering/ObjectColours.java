@@ -28,16 +28,8 @@ public final class ObjectColours implements Shading {
    */
   public ObjectColours(final Group3D scene) {
     this.scene = notNull("scene", scene);
-    collect(scene);
-  }
-
-  private void collect(final Group3D group) {
-    for (final Object3D object : group.getObjects()) {
-      if (object instanceof Group3D part) {
-        collect(part);
-      } else {
-        colours.putIfAbsent(object, color(colours.size()).getRGB());
-      }
+    for (final Object3D object : scene.getMembers()) {
+      colours.put(object, color(colours.size()).getRGB());
     }
   }
 

@@ -1,5 +1,7 @@
 package rendering;
 
+import java.util.List;
+
 import models.Group3D;
 import models.Object3D;
 import tracer.Hit;
@@ -40,12 +42,13 @@ public final class PixelLoop {
    */
   public boolean run() {
     final int W = generator.getWidth(), H = generator.getHeight();
+    final List<Object3D> objects = scene.getMembers();
     boolean goOn = true;
     for (int n = H - 1; n >= 0 && goOn; n--) {
       for (int m = 0; m < W; m++) {
         try {
           final Ray ray = generator.getRay(m, n);
-          final Hit hit = closestHit(scene, ray);
+          final Hit hit = closestHit(objects, ray);
           final int pixel = (H - 1 - n) * W + m;
           if (hit.hits()) {
             picture.hit(pixel, ray, hit);
@@ -61,11 +64,11 @@ public final class PixelLoop {
     return goOn;
   }
 
-  /** The closest hit of all objects of a group; of two at the same distance, that of the object added first. */
-  private static Hit closestHit(final Group3D group, final Ray ray) {
+  /** The closest hit of all objects; of two at the same distance, that of the object added first. */
+  private static Hit closestHit(final List<Object3D> objects, final Ray ray) {
     Hit closest = Hit.NOHIT;
-    for (final Object3D object : group.getObjects()) {
-      final Hit hit = object instanceof Group3D ? closestHit((Group3D) object, ray) : object.intersectionWith(ray);
+    for (final Object3D object : objects) {
+      final Hit hit = object.intersectionWith(ray);
       closest = hit.isCloser(closest) ? hit : closest;
     }
     return closest;
