@@ -56,6 +56,15 @@ class BoundingBoxTest {
     }
     assertFalse(BOX.isEmpty());
     assertFalse(BoundingBox.UNBOUNDED.isEmpty());
+    assertFalse(new BoundingBox(o, o).isEmpty(), "the box of a single point contains it");
+  }
+
+  /** A plane across an axis has a box without end along the other two. */
+  @Test
+  void sidesAtInfinityLeaveTheOtherSidesAsTheyAre() {
+    assertSides(BoundingBox.between(-INF, -INF, 2, INF, INF, 3), -INF, -INF, Math.nextDown(2f), INF, INF, Math.nextUp(3f));
+    assertSides(BoundingBox.between(-INF, 2, -INF, INF, 3, INF), -INF, Math.nextDown(2f), -INF, INF, Math.nextUp(3f), INF);
+    assertSides(BoundingBox.between(2, -INF, -INF, 3, INF, INF), Math.nextDown(2f), -INF, -INF, Math.nextUp(3f), INF, INF);
   }
 
   @Test
@@ -193,8 +202,7 @@ class BoundingBoxTest {
     final int[] meet = {0};
     Trials.of(4000, random -> {
       final Point3D P = point(random, 1), Q = point(random, 1);
-      final float[] min = {Math.min(P.x, Q.x), Math.min(P.y, Q.y), Math.min(P.z, Q.z)};
-      final float[] max = {Math.max(P.x, Q.x), Math.max(P.y, Q.y), Math.max(P.z, Q.z)};
+      final float[] min = least(P, Q), max = greatest(P, Q);
       final double[] start = new double[3], direction = new double[3];
       final double k = random.nextDouble();
       for (int i = 0; i < 3; i++) {
@@ -209,6 +217,37 @@ class BoundingBoxTest {
       }
     });
     assertTrue(meet[0] > 1000, () -> meet[0] + " rays meet their box");
+  }
+
+  /** Every other ray misses the box widened by a millionth: none of them is said to cross the box. */
+  @Test
+  void raysThatMissItByMoreThanRoundingDoNotCrossIt() {
+    final int[] miss = {0};
+    Trials.of(4000, random -> {
+      final Point3D P = point(random, 1), Q = point(random, 1);
+      final float[] min = least(P, Q), max = greatest(P, Q), lower = min.clone(), upper = max.clone();
+      final double[] start = new double[3], direction = new double[3];
+      for (int i = 0; i < 3; i++) {
+        lower[i] -= 1e-6f;
+        upper[i] += 1e-6f;
+        start[i] = random.nextGaussian();
+        direction[i] = 0.5 * random.nextGaussian() - start[i];
+      }
+      if (!meetsExactly(lower, upper, start, direction)) {
+        miss[0]++;
+        assertFalse(new BoundingBox(corner(min), corner(max))
+            .isCrossedBy(start[0], start[1], start[2], direction[0], direction[1], direction[2]));
+      }
+    });
+    assertTrue(miss[0] > 1000, () -> miss[0] + " rays miss their box");
+  }
+
+  private static float[] least(final Point3D P, final Point3D Q) {
+    return new float[] {Math.min(P.x, Q.x), Math.min(P.y, Q.y), Math.min(P.z, Q.z)};
+  }
+
+  private static float[] greatest(final Point3D P, final Point3D Q) {
+    return new float[] {Math.max(P.x, Q.x), Math.max(P.y, Q.y), Math.max(P.z, Q.z)};
   }
 
   /** The test of slabs without rounding: entering and leaving distances are fractions, of which none is divided. */

@@ -1,5 +1,6 @@
 package tracer;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
@@ -8,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
+import java.util.Random;
 
 import javax.vecmath.TexCoord2f;
 
@@ -16,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import models.Sphere;
 import primitives.Point3D;
 import primitives.Vector3D;
+import trials.Trials;
 
 class HitTest {
 
@@ -78,6 +81,29 @@ class HitTest {
   }
 
   @Test
+  void normalIsTheGivenVectorByItsLength() {
+    Trials.of(500, random -> {
+      final double k = Math.pow(10, 8 * random.nextDouble() - 4);
+      final double x = k * random.nextGaussian(), y = k * random.nextGaussian(), z = k * random.nextGaussian();
+      final double length = Math.sqrt(x * x + y * y + z * z);
+      final Hit hit = Hit.of(1, 0, 0, 0, x, y, z, BALL);
+      assertEquals(x / length, hit.normalX(), 1e-15);
+      assertEquals(y / length, hit.normalY(), 1e-15);
+      assertEquals(z / length, hit.normalZ(), 1e-15);
+      assertEquals(hit.normalX() + " " + hit.normalY() + " " + hit.normalZ(),
+          hit.geometricX() + " " + hit.geometricY() + " " + hit.geometricZ());
+    });
+  }
+
+  /** A normal of some length is no normal of length zero, however its squares cancel. */
+  @Test
+  void everyNormalButZeroMakesAHit() {
+    for (final double[] n : new double[][] {{3, 4, 5}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {3, 5, 4}, {5, 3, 4}}) {
+      assertTrue(Hit.of(1, 0, 0, 0, n[0], n[1], n[2], BALL).hits());
+    }
+  }
+
+  @Test
   void computedHitThatIsNoneIsTheAbsentOne() {
     assertTrue(Hit.of(1, 2, 3, 4, 0, 0, 5, BALL).hits());
     for (final double t : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY, 1e39, 1e-50}) {
@@ -112,6 +138,104 @@ class HitTest {
       assertThrows(IllegalArgumentException.class, () -> new Hit(1, new Point3D(), g, g, uv, BALL));
     }
     assertThrows(IllegalArgumentException.class, () -> new Hit(1, new Point3D(), g, new Vector3D(), null, BALL));
+  }
+
+  /** The formula of the cut, n − min(0, n·g) g brought to unit length, for normals and geometric normals of any length. */
+  @Test
+  void cutNormalIsTheFormulaOfTheCut() {
+    Trials.of(2000, random -> {
+      final double[] g = vector(random), n = vector(random);
+      final Hit hit = Hit.of(1, 0, 0, 0, g[0], g[1], g[2], BALL).withShading(n[0], n[1], n[2], 0.25, 0.75);
+      final double[] unitG = unit(g), cut = unit(n);
+      final double behind = Math.min(0, cut[0] * unitG[0] + cut[1] * unitG[1] + cut[2] * unitG[2]);
+      for (int i = 0; i < 3; i++) {
+        cut[i] -= behind * unitG[i];
+      }
+      assertArrayEquals(unit(cut), new double[] {hit.normalX(), hit.normalY(), hit.normalZ()}, 1e-10);
+      assertArrayEquals(unitG, new double[] {hit.geometricX(), hit.geometricY(), hit.geometricZ()}, 1e-15);
+      assertEquals("0.25 0.75", hit.textureU() + " " + hit.textureV());
+    });
+  }
+
+  /** Where both normals are one vector the hit is that of the object that is not smooth, without a rounding between them. */
+  @Test
+  void normalThatShadesAsTheSurfaceIsTheGeometricOneBitForBit() {
+    Trials.of(2000, random -> {
+      final double[] g = vector(random);
+      final Hit flat = Hit.of(1, 0, 0, 0, g[0], g[1], g[2], BALL);
+      final String geometric = flat.normalX() + " " + flat.normalY() + " " + flat.normalZ();
+      for (final Hit smooth : new Hit[] {flat.withShading(g[0], g[1], g[2], Double.NaN, Double.NaN),
+          flat.withShading(flat.normalX(), flat.normalY(), flat.normalZ(), Double.NaN, Double.NaN)}) {
+        assertEquals(geometric, smooth.normalX() + " " + smooth.normalY() + " " + smooth.normalZ());
+        assertEquals(geometric, smooth.geometricX() + " " + smooth.geometricY() + " " + smooth.geometricZ());
+      }
+    });
+  }
+
+  @Test
+  void normalThatDiffersInOneComponentOnlyIsKept() {
+    final double[] g = {2.0 / 3, 2.0 / 3, 1.0 / 3};
+    for (int i = 0; i < 3; i++) {
+      for (final int length : new int[] {1, 3}) {
+        final double[] n = {length * g[0], length * g[1], length * g[2]};
+        n[i] = -n[i];
+        final Hit hit = Hit.of(1, 0, 0, 0, g[0], g[1], g[2], BALL).withShading(n[0], n[1], n[2], Double.NaN, Double.NaN);
+        assertArrayEquals(unit(n), new double[] {hit.normalX(), hit.normalY(), hit.normalZ()}, 1e-15);
+      }
+    }
+  }
+
+  private static double[] vector(final Random random) {
+    final double k = Math.pow(10, 6 * random.nextDouble() - 3);
+    return new double[] {k * random.nextGaussian(), k * random.nextGaussian(), k * random.nextGaussian()};
+  }
+
+  private static double[] unit(final double[] v) {
+    final double length = Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    return new double[] {v[0] / length, v[1] / length, v[2] / length};
+  }
+
+  @Test
+  void absentHitStaysAbsent() {
+    assertSame(Hit.NOHIT, Hit.NOHIT.withShading(0, 0, 1, 0, 0));
+    assertSame(Hit.NOHIT, Hit.NOHIT.seenFromBehind(3));
+  }
+
+  @Test
+  void hitSeenFromFartherBackIsThatMuchFarther() {
+    final Hit hit = Hit.of(5, 1, 2, 3, 0, 3, 4, 1e-9, BALL).withShading(0, 0, 1, 0.25, 0.5), back = hit.seenFromBehind(2.5);
+    assertEquals(7.5, back.distance());
+    assertEquals(7.5f, back.getT());
+    assertEquals(hit.toString().replace("t=5.0", "t=7.5"), back.toString());
+    assertEquals(hit.getGeometricNormal(), back.getGeometricNormal());
+    assertEquals(hit.getTexCoord(), back.getTexCoord());
+    assertEquals(1e-9, back.errorBound());
+    assertSame(Hit.NOHIT, hit.seenFromBehind(Float.MAX_VALUE * 2.0));
+    assertSame(Hit.NOHIT, hit.seenFromBehind(-6));
+  }
+
+  @Test
+  void rayLeavesASlantingSurfaceAlongItsGeometricNormal() {
+    Trials.of(200, random -> {
+      final double[] g = unit(vector(random));
+      final Hit hit = Hit.of(5, 1, 2, 3, g[0], g[1], g[2], 1e-7, BALL);
+      for (final int side : new int[] {1, -1}) {
+        final Ray ray = hit.leave(side > 0, 0, 0.6, 0.8);
+        assertArrayEquals(new double[] {1 + side * 1e-7 * g[0], 2 + side * 1e-7 * g[1], 3 + side * 1e-7 * g[2]},
+            new double[] {ray.startX(), ray.startY(), ray.startZ()}, 1e-15);
+        assertEquals("0.0 0.6 0.8", ray.directionX() + " " + ray.directionY() + " " + ray.directionZ());
+      }
+    });
+  }
+
+  /** The largest number of a hit, which says how far off rays start at most, is a coordinate of either sign or t. */
+  @Test
+  void rayStartsAtMostAMillionthOfTheLargestNumberOffTheSurface() {
+    for (final double[] x : new double[][] {{7, 1, 2, 3}, {1, 7, 2, 3}, {1, -7, 2, 3}, {1, 2, 7, 3}, {1, 2, -7, 3},
+        {1, 2, 3, 7}, {1, 2, 3, -7}}) {
+      assertEquals(7e-6, Hit.of(x[0], x[1], x[2], x[3], 0, 0, 1, 1, BALL).offset(), 1e-20);
+    }
+    assertEquals(1e-8, Hit.of(7, 1, 2, 3, 0, 0, 1, 1e-8, BALL).offset());
   }
 
   @Test

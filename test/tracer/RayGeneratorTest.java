@@ -89,6 +89,37 @@ class RayGeneratorTest {
     assertTrue(tile.isPresent(6 * RayTile.SIZE + 13));
   }
 
+  /** A generator whose getRay does not check its pixels: its tiles are checked all the same. */
+  @Test
+  void tileThatReachesOutOfTheImageIsWrongForEveryGenerator() {
+    final RayGenerator careless = new RayGenerator(CAMERA, 40, 30) {
+      @Override
+      public Ray getRay(final int m, final int n) {
+        return Ray.NORAY;
+      }
+    };
+    final RayTile tile = new RayTile();
+    tile.open(16, 8);
+    for (final int[] pixel : new int[][] {{25, 0}, {0, 23}, {-1, 0}, {0, -1}}) {
+      assertThrows(IllegalArgumentException.class, () -> careless.fill(tile, pixel[0], pixel[1]));
+    }
+    careless.fill(tile, 24, 22);
+    careless.fill(tile, 0, 0);
+  }
+
+  /** Of a tile in the last corner of the image no pixel beyond it is asked for. */
+  @Test
+  void onlyPixelsOfTheTileAreAsked() {
+    final RayGenerator generator = new Slanting(CAMERA, 40, 30);
+    final RayTile tile = new RayTile();
+    tile.open(3, 2);
+    generator.fill(tile, 37, 28);
+    tile.close();
+    assertEquals(38, tile.startX(1));
+    assertFalse(tile.isPresent(3));
+    assertFalse(tile.isPresent(2 * RayTile.SIZE));
+  }
+
   @Test
   void nullInsteadOfARayIsAnsweredByAWordToTheStudent() {
     final RayGenerator forgetful = new Slanting(CAMERA, 40, 30) {

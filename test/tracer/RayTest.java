@@ -1,11 +1,16 @@
 package tracer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Color;
+
 import org.junit.jupiter.api.Test;
 
+import models.Object3D;
+import models.Sphere;
 import primitives.Point3D;
 import primitives.Vector3D;
 import trials.Trials;
@@ -104,6 +109,49 @@ class RayTest {
         + ray.directionX() + " " + ray.directionY() + " " + ray.directionZ());
     assertEquals(new Vector3D(0.6f, 0, 0.8f), ray.getDirection());
     assertEquals(new Point3D(0.1f, 0.2f, 0.3f), ray.getStartingPoint());
+  }
+
+  @Test
+  void rayOfAGeneratorHasItsDirectionWhateverItsLength() {
+    Trials.of(500, random -> {
+      final double k = Math.pow(10, 8 * random.nextDouble() - 4);
+      final double x = k * random.nextGaussian(), y = k * random.nextGaussian(), z = k * random.nextGaussian();
+      final double length = Math.sqrt(x * x + y * y + z * z);
+      final Ray ray = Ray.towards(1, 2, 3, x, y, z);
+      assertEquals(x / length, ray.directionX(), 1e-7);
+      assertEquals(y / length, ray.directionY(), 1e-7);
+      assertEquals(z / length, ray.directionZ(), 1e-7);
+    });
+  }
+
+  @Test
+  void rayFromFartherOnIsTheSameLine() {
+    final Ray ray = Ray.exactly(1, 2, 3, 2.0 / 3, -2.0 / 3, 1.0 / 3).from(6);
+    assertEquals("5.0 -2.0 5.0", ray.startX() + " " + ray.startY() + " " + ray.startZ());
+    assertEquals(2.0 / 3 + " " + -2.0 / 3 + " " + 1.0 / 3, ray.directionX() + " " + ray.directionY() + " " + ray.directionZ());
+    assertEquals(0, ray.blindness());
+  }
+
+  @Test
+  void pointsOfARayLieAlongItsDirection() {
+    final Ray ray = Ray.exactly(1, 2, 3, 2.0 / 3, -2.0 / 3, 1.0 / 3);
+    assertEquals(new Point3D(3, 0, 4), ray.pointAtParameter(3));
+    assertEquals(new Point3D(-1, 4, 2), ray.pointAtParameter(-3));
+  }
+
+  /** In a frame where all lengths are four times as large, so is the distance within which a ray is blind. */
+  @Test
+  void blindnessIsALengthOfItsFrame() {
+    final Object3D ball = new Sphere(new Point3D(), 1, Color.RED), other = new Sphere(new Point3D(), 1, Color.RED);
+    final Ray ray = Ray.leaving(1, 2, 3, 0, 0, 1, ball, 0.5), there = ray.inFrame(4, 8, 12, 1, 0, 0, 4);
+    assertEquals(0.5, ray.blindness());
+    assertEquals(2, there.blindness());
+    assertEquals("4.0 8.0 12.0 1.0 0.0 0.0", there.startX() + " " + there.startY() + " " + there.startZ() + " "
+        + there.directionX() + " " + there.directionY() + " " + there.directionZ());
+    assertTrue(there.isBlindTo(Hit.of(2, 0, 0, 0, 0, 0, 1, ball)));
+    assertFalse(there.isBlindTo(Hit.of(Math.nextUp(2.0), 0, 0, 0, 0, 0, 1, ball)));
+    assertFalse(there.isBlindTo(Hit.of(1, 0, 0, 0, 0, 0, 1, other)));
+    assertFalse(Ray.exactly(0, 0, 0, 0, 0, 1).isBlindTo(Hit.NOHIT));
   }
 
   @Test

@@ -52,6 +52,13 @@ class AngularTest implements ProjectionContract {
   }
 
   @Test
+  void theRimItselfHasARay() {
+    final double rim = StrictMath.tan(Math.toRadians(120) / 2);
+    assertEquals(-1, new Angular(120).zAt(rim, 0), 1e-15);
+    assertTrue(Double.isNaN(new Angular(120).zAt(rim * (1 + 1e-15), 0)));
+  }
+
+  @Test
   void halfWayToTheRimTheSineIsHalf() {
     final Camera camera = new Camera(new Point3D(), new Point3D(0, 0, -1), new Vector3D(0, 1, 0));
     camera.setProjection(new Angular(60));

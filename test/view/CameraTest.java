@@ -83,6 +83,8 @@ class CameraTest {
     C.set(9, 9, 9);
     up.set(9, 9, 9);
     assertEquals(new Point3D(1, 2, 3), camera.getPosition());
+    assertEquals(new Point3D(1, 2, 0), camera.getLookAt());
+    assertEquals(new Vector3D(0, 2, 0), camera.getUp());
     assertEquals(new Vector3D(0, 0, -1), camera.getLook());
     camera.setProjection(new Perspective(60, 1));
     assertEquals(new Point3D(1, 2, 3), camera.getRayGenerator(1, 1).getRay(0, 0).getStartingPoint());
@@ -94,11 +96,15 @@ class CameraTest {
     camera.setProjection(new Orthographic(1, 1));
     final RayGenerator generator = camera.getRayGenerator(1, 1);
     camera.getPosition().set(9, 9, 9);
+    camera.getLookAt().set(9, 9, 9);
+    camera.getUp().set(9, 9, 9);
     camera.getLook().set(9, 9, 9);
     generator.getRay(0, 0).getDirection().set(9, 9, 9);
     generator.getRay(0, 0).getStartingPoint().set(9, 9, 9);
     final Ray ray = generator.getRay(0, 0);
     assertEquals(new Point3D(1, 2, 3), camera.getPosition());
+    assertEquals(new Point3D(1, 2, 0), camera.getLookAt());
+    assertEquals(UP, camera.getUp());
     assertEquals(new Vector3D(0, 0, -1), camera.getLook());
     assertEquals(new Point3D(1, 2, 3), ray.getStartingPoint());
     assertEquals(new Vector3D(0, 0, -1), ray.getDirection());
@@ -131,6 +137,7 @@ class CameraTest {
     });
     assertEquals(2, camera.getProjection().getWidth());
     assertEquals(1, camera.getProjection().getHeight());
+    assertTrue(Double.isNaN(camera.getProjection().zAt(0, 0)), "the library does not know the rule of its rays");
     assertEquals(new Ray(new Point3D(0, 0, 1), new Vector3D(4, 2, -1)).toString(),
         camera.getRayGenerator(8, 8).getRay(3, 2).toString());
   }

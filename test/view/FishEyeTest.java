@@ -56,10 +56,17 @@ class FishEyeTest {
     assertThrows(IllegalArgumentException.class, () -> generator.getRay(1000, 0));
   }
 
+  @Test
+  void theRimItselfHasARay() {
+    assertEquals(0, new FishEye(180).zAt(1, 0), 0);
+    assertTrue(Double.isNaN(new FishEye(180).zAt(Math.nextUp(1.0), 0)));
+  }
+
   @ParameterizedTest
   @ValueSource(floats = {0, -1, 180.00002f, Float.NaN, Float.POSITIVE_INFINITY})
   void rejectsAnglesOutOfRange(final float fov) {
-    assertThrows(IllegalArgumentException.class, () -> new FishEye(fov));
+    final Exception wrong = assertThrows(IllegalArgumentException.class, () -> new FishEye(fov));
+    assertTrue(wrong.getMessage().startsWith("fov "), wrong.getMessage());
   }
 
   @Test
