@@ -9,6 +9,10 @@ import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.stream.Collectors;
 
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -21,6 +25,7 @@ import primitives.Vector3D;
 import scenes.SceneFiles;
 import tracer.Hit;
 import tracer.Ray;
+import trials.Trials;
 
 class ObjFileTest {
 
@@ -47,6 +52,40 @@ class ObjFileTest {
     assertEquals(5, hit(mesh).getT());
     assertEquals(new Vector3D(0.6f, 0, 0.8f), hit(mesh).getNormal());
     assertEquals(new Vector3D(0, 0, 1), hit(mesh).getGeometricNormal());
+  }
+
+  /** Polygons in other order, their corners rotated, so that they are cut otherwise: the averages are the same. */
+  @Test
+  void averagesOfPolygonsDoNotDependOnTheirOrder() {
+    Trials.of(20, random -> {
+      final StringBuilder vertices = new StringBuilder();
+      final List<String> facets = new ArrayList<>();
+      for (int i = 0; i < 25; i++) {
+        vertices.append("v ").append(i % 5).append(' ').append(i / 5).append(' ').append(random.nextDouble()).append('\n');
+        if (i % 5 < 4 && i < 20) {
+          facets.add((i + 1) + " " + (i + 2) + " " + (i + 7) + " " + (i + 6));
+        }
+      }
+      final TriangularMesh mesh = ObjFile.read(files.write("a.obj", vertices + lines(facets)), Color.PINK);
+      for (int i = 0; i < facets.size(); i++) {
+        final List<String> corners = new ArrayList<>(List.of(facets.get(i).split(" ")));
+        Collections.rotate(corners, random.nextInt(4));
+        facets.set(i, String.join(" ", corners));
+      }
+      Collections.shuffle(facets, random);
+      final TriangularMesh other = ObjFile.read(files.write("a.obj", vertices + lines(facets)), Color.PINK);
+      for (int i = 0; i < 25; i++) {
+        final Ray ray = new Ray(new Point3D(i % 5, i / 5, 5), new Vector3D(0, 0, -1));
+        final Hit hit = mesh.intersectionWith(ray), same = other.intersectionWith(ray);
+        assertEquals(hit.normalX(), same.normalX(), 1e-12);
+        assertEquals(hit.normalY(), same.normalY(), 1e-12);
+        assertEquals(hit.normalZ(), same.normalZ(), 1e-12);
+      }
+    });
+  }
+
+  private static String lines(final List<String> facets) {
+    return facets.stream().map(facet -> "f " + facet + "\n").collect(Collectors.joining());
   }
 
   @Test

@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -126,42 +125,6 @@ class SmoothMeshTest {
     final Hit hit = mesh.intersectionWith(down(0.25, 0.25));
     assertEquals(Math.abs(hit.geometricZ()), 1);
     assertEquals(hit.geometricZ(), hit.normalZ());
-  }
-
-  /** Steady across edges, the same whatever the order of the facets and of their corners. */
-  @Test
-  void averagesDoNotDependOnTheOrder() {
-    Trials.of(30, random -> {
-      final Map<Integer, Point3D> vertices = new HashMap<>();
-      for (int i = 0; i < 36; i++) {
-        vertices.put(i, new Point3D(i % 6, i / 6, random.nextFloat()));
-      }
-      final List<String> facets = new ArrayList<>(), shuffled = new ArrayList<>();
-      for (int i = 0; i < 30; i++) {
-        if (i % 6 < 5) {
-          facets.add(i + " " + (i + 1) + " " + (i + 6));
-          facets.add((i + 1) + " " + (i + 7) + " " + (i + 6));
-        }
-      }
-      for (final String facet : facets) {
-        final List<String> corners = new ArrayList<>(List.of(facet.split(" ")));
-        Collections.rotate(corners, random.nextInt(3));
-        shuffled.add(String.join(" ", corners));
-      }
-      Collections.shuffle(shuffled, random);
-      final TriangularMesh mesh = new TriangularMesh(vertices, Map.of(), facets, Color.RED);
-      final TriangularMesh other = new TriangularMesh(vertices, Map.of(), shuffled, Color.RED);
-      for (int i = 0; i < 100; i++) {
-        final Ray ray = down(5 * random.nextDouble(), 5 * random.nextDouble());
-        final Hit hit = mesh.intersectionWith(ray), same = other.intersectionWith(ray);
-        assertEquals(hit.normalX(), same.normalX(), 1e-6);
-        assertEquals(hit.normalY(), same.normalY(), 1e-6);
-        assertEquals(hit.getT(), same.getT());
-      }
-      final double y = 5 * random.nextDouble();
-      assertEquals(mesh.intersectionWith(down(2 - 1e-6, y)).normalX(),
-          mesh.intersectionWith(down(2 + 1e-6, y)).normalX(), 1e-4);
-    });
   }
 
   @Test

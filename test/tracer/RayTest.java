@@ -128,7 +128,8 @@ class RayTest {
   void rayFromFartherOnIsTheSameLine() {
     final Ray ray = Ray.exactly(1, 2, 3, 2.0 / 3, -2.0 / 3, 1.0 / 3).from(6);
     assertEquals("5.0 -2.0 5.0", ray.startX() + " " + ray.startY() + " " + ray.startZ());
-    assertEquals(2.0 / 3 + " " + -2.0 / 3 + " " + 1.0 / 3, ray.directionX() + " " + ray.directionY() + " " + ray.directionZ());
+    assertEquals(2.0 / 3 + " " + -2.0 / 3 + " " + 1.0 / 3,
+        ray.directionX() + " " + ray.directionY() + " " + ray.directionZ());
     assertEquals(0, ray.blindness());
   }
 
