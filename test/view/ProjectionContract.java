@@ -17,22 +17,49 @@ import tracer.Ray;
 import tracer.RayGenerator;
 import trials.Trials;
 
-/** What the rays of every projection must obey. */
-interface ProjectionContract {
+/**
+ * The laws that every {@link Projection} must obey, as tests. The test of a projection implements this interface and so
+ * inherits them; it has to write one method, which gives a random projection with its {@link Optics}: the size of the window
+ * and the formula of the rays, written down independently.
+ *
+ * <p>The laws: each ray starts and goes as the formula says, at the corners of the picture too; its direction is a unit
+ * vector; that of the middle goes along the view; tiles hold the same rays, bit for bit, whatever their size and place; the
+ * generator checks its arguments and keeps to the camera as it was.
+ */
+public interface ProjectionContract {
 
-  /** Half a unit in the last place of a component of a unit vector of floats, and what doubles add to it. */
+  /** Half an ulp of a component of a unit vector of floats, and what rounding in double adds to it. */
   double UNIT = 0x1p-25 * 1.001;
 
-  /** A projection with the formula of its rays, which the test writes down once more from the assignment. */
+  /**
+   * A projection, and what is expected of it.
+   *
+   * @param projection the projection
+   * @param w width of its window
+   * @param h height of its window
+   * @param formula its rays, written down independently
+   */
   record Optics(Projection projection, double w, double h, Formula formula) {
   }
 
   /** The ray through a point of the window, in the camera's frame: coordinates of its start, then of its direction. */
   interface Formula {
-    /** Answers null if there is no ray, an empty array where rounding decides. */
+    /**
+     * The ray of a point of the window.
+     *
+     * @param x from −w/2 to w/2
+     * @param y from −h/2 to h/2
+     * @return start, then direction of any length; null if there is no ray, an empty array where rounding decides
+     */
     double[] ray(double x, double y);
   }
 
+  /**
+   * A projection to be tested.
+   *
+   * @param random source of its parameters
+   * @return the projection with its formula
+   */
   Optics random(Random random);
 
   @Test
@@ -53,7 +80,7 @@ interface ProjectionContract {
     assertTrue(rays[0] > 10000, () -> "only " + rays[0] + " rays");
   }
 
-  /** Answers how many rays it has compared. */
+  /** Compares one ray with the formula; returns how many rays that were, 0 or 1. */
   private static int check(final Optics optics, final CameraFrame frame, final RayGenerator generator,
       final int m, final int n) {
     final double x = (m + 0.5) * optics.w / generator.getWidth() - optics.w / 2;
@@ -81,6 +108,19 @@ interface ProjectionContract {
     assertEquals(expected[0], x, tolerance);
     assertEquals(expected[1], y, tolerance);
     assertEquals(expected[2], z, tolerance);
+  }
+
+  @Test
+  default void directionsAreUnitVectors() {
+    Trials.of(300, random -> {
+      final int W = 1 + random.nextInt(100), H = 1 + random.nextInt(100);
+      final RayGenerator generator = CameraFrame.random(random).camera(random(random).projection).getRayGenerator(W, H);
+      final Ray ray = generator.getRay(random.nextInt(W), random.nextInt(H));
+      if (ray != Ray.NORAY) {
+        final double x = ray.directionX(), y = ray.directionY(), z = ray.directionZ();
+        assertEquals(1, Math.sqrt(x * x + y * y + z * z), 2 * UNIT);
+      }
+    });
   }
 
   @Test
@@ -127,7 +167,7 @@ interface ProjectionContract {
     assertTrue(rays[0] > 1000, () -> "only " + rays[0] + " rays");
   }
 
-  /** Compares the bits of a ray with those of a pixel of a tile; answers how many rays that are. */
+  /** Compares a ray, bit for bit, with that of a pixel of a tile; returns how many rays that were, 0 or 1. */
   static int assertSameRay(final Ray ray, final RayTile tile, final int i) {
     if (ray == Ray.NORAY) {
       assertFalse(tile.isPresent(i));
