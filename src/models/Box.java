@@ -129,7 +129,7 @@ public class Box extends Object3D {
   @Override
   public List<Object> constructorArguments() {
     return List.of(frame.origin(), frame.i(), frame.j(), (float) (2 * halfW), (float) (2 * halfH), (float) (2 * halfD),
-        look());
+        colourOrMaterial());
   }
 
   @Override

@@ -112,7 +112,7 @@ public class Capsule extends Object3D {
 
   @Override
   public List<Object> constructorArguments() {
-    return List.of(axis.point(), axis.unit(), (float) r, (float) (2 * half), look());
+    return List.of(axis.point(), axis.unit(), (float) r, (float) (2 * half), colourOrMaterial());
   }
 
   @Override

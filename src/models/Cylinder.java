@@ -109,7 +109,7 @@ public class Cylinder extends Object3D {
 
   @Override
   public List<Object> constructorArguments() {
-    return List.of(axis.point(), axis.unit(), (float) r, (float) (2 * half), look());
+    return List.of(axis.point(), axis.unit(), (float) r, (float) (2 * half), colourOrMaterial());
   }
 
   @Override

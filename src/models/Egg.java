@@ -126,7 +126,7 @@ public class Egg extends Object3D {
 
   @Override
   public List<Object> constructorArguments() {
-    return List.of(axis.point(), axis.unit(), (float) profile.a, (float) profile.b, (float) profile.w, look());
+    return List.of(axis.point(), axis.unit(), (float) profile.a, (float) profile.b, (float) profile.w, colourOrMaterial());
   }
 
   @Override

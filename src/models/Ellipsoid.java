@@ -217,7 +217,7 @@ public class Ellipsoid extends ProceduralObject3D {
 
   @Override
   public List<Object> constructorArguments() {
-    return List.of(frame.origin(), frame.i(), frame.j(), (float) Rx, (float) Ry, (float) Rz, look());
+    return List.of(frame.origin(), frame.i(), frame.j(), (float) Rx, (float) Ry, (float) Rz, colourOrMaterial());
   }
 
   @Override

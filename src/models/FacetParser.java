@@ -149,32 +149,36 @@ final class FacetParser {
     if (normals != null && indices.length > 3) {
       throw wrong("facet", at / 3, facet);
     }
-    corners[at] = number(vertexNumbers, indices[0], "vertex", token, facet, at / 3);
+    final Corner corner = new Corner(token, facet, at / 3);
+    corners[at] = number(vertexNumbers, indices[0], "vertex", corner);
     if (pairs != null) {
-      pairs[at] = suffix(pairNumbers, indices, 1, "texCoord", token, facet, at / 3);
+      pairs[at] = suffix(pairNumbers, indices, 1, "texCoord", corner);
     }
     if (normals != null) {
-      normals[at] = suffix(normalNumbers, indices, 2, "normal", token, facet, at / 3);
+      normals[at] = suffix(normalNumbers, indices, 2, "normal", corner);
     }
+  }
+
+  /** What a message says of a corner: its text, and the text and the number of its facet. */
+  private record Corner(String token, String facet, int number) {
   }
 
   private static int suffix(final Map<Integer, Integer> numbers, final String[] indices, final int place, final String key,
-      final String token, final String facet, final int which) {
-    return indices.length <= place || indices[place].isEmpty() ? -1
-        : number(numbers, indices[place], key, token, facet, which);
+      final Corner corner) {
+    return indices.length <= place || indices[place].isEmpty() ? -1 : number(numbers, indices[place], key, corner);
   }
 
   /** The number of what an index names; the key is that of the message if it names nothing. */
-  private static int number(final Map<Integer, Integer> numbers, final String index, final String key, final String token,
-      final String facet, final int which) {
+  private static int number(final Map<Integer, Integer> numbers, final String index, final String key,
+      final Corner corner) {
     try {
       final Integer number = numbers.get(Integer.valueOf(index));
       if (number == null) {
-        throw wrong(key, which, token);
+        throw wrong(key, corner.number(), corner.token());
       }
       return number;
     } catch (final NumberFormatException notNumber) {
-      throw wrong("facet", which, facet);
+      throw wrong("facet", corner.number(), corner.facet());
     }
   }
 

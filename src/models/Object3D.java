@@ -141,7 +141,7 @@ public abstract class Object3D {
   }
 
   /** The last argument of the constructor: what the object was made of, a material or a colour. */
-  Object look() {
+  Object colourOrMaterial() {
     return material == null ? color : material;
   }
 

@@ -87,7 +87,7 @@ public class Plane extends Object3D {
   @Override
   public List<Object> constructorArguments() {
     return List.of(new Point3D((float) x, (float) y, (float) z), new Vector3D((float) nx, (float) ny, (float) nz),
-        look());
+        colourOrMaterial());
   }
 
   @Override

@@ -141,12 +141,12 @@ public class Sphere extends Object3D {
 
   @Override
   public List<Object> constructorArguments() {
-    return List.of(new Point3D((float) x, (float) y, (float) z), (float) r, look());
+    return List.of(new Point3D((float) x, (float) y, (float) z), (float) r, colourOrMaterial());
   }
 
   @Override
-  Object look() {
-    return texture == null ? super.look() : texture;
+  Object colourOrMaterial() {
+    return texture == null ? super.colourOrMaterial() : texture;
   }
 
   @Override

@@ -197,7 +197,7 @@ public class Torus extends ProceduralObject3D {
 
   @Override
   public List<Object> constructorArguments() {
-    return List.of(axis.point(), axis.unit(), (float) R, (float) r, look());
+    return List.of(axis.point(), axis.unit(), (float) R, (float) r, colourOrMaterial());
   }
 
   @Override

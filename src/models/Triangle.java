@@ -177,7 +177,7 @@ public class Triangle extends Object3D {
 
   @Override
   public List<Object> constructorArguments() {
-    return List.of(new Point3D(ax, ay, az), new Point3D(bx, by, bz), new Point3D(cx, cy, cz), look());
+    return List.of(new Point3D(ax, ay, az), new Point3D(bx, by, bz), new Point3D(cx, cy, cz), colourOrMaterial());
   }
 
   @Override

@@ -246,7 +246,7 @@ public class TruncatedCone extends Object3D {
 
   @Override
   public List<Object> constructorArguments() {
-    return List.of(axis.point(), axis.unit(), (float) rA, (float) rB, (float) (2 * half), look());
+    return List.of(axis.point(), axis.unit(), (float) rA, (float) rB, (float) (2 * half), colourOrMaterial());
   }
 
   @Override

@@ -25,17 +25,17 @@ final class TracingFailure extends RuntimeException {
   /**
    * A light or a material failed.
    *
-   * @param culprit the light or material
+   * @param atFault the light or material
    * @param method the method at fault if the failure does not show another of its class
    */
-  static TracingFailure of(final Object culprit, final String method, final Ray ray, final Throwable cause) {
+  static TracingFailure of(final Object atFault, final String method, final Ray ray, final Throwable cause) {
     String failed = method;
     for (final StackTraceElement frame : cause.getStackTrace()) {
-      if (frame.getClassName().equals(culprit.getClass().getName())) {
+      if (frame.getClassName().equals(atFault.getClass().getName())) {
         failed = frame.getMethodName();
       }
     }
-    return new TracingFailure(culprit.getClass().getName() + "." + failed, ray, cause);
+    return new TracingFailure(atFault.getClass().getName() + "." + failed, ray, cause);
   }
 
   String call() {

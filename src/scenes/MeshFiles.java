@@ -99,13 +99,13 @@ final class MeshFiles {
     }
 
     @Override
-    public Object3D at(final Placement placement, final Appearance look) {
-      return placed(placement, look);
+    public Object3D at(final Placement placement, final Appearance appearance) {
+      return placed(placement, appearance);
     }
 
     /** The mesh under a transformation; null if its file is invalid. */
     @Override
-    public Object3D placed(final Placement placement, final Appearance look) {
+    public Object3D placed(final Placement placement, final Appearance appearance) {
       if (file.mesh() == null) {
         return null;
       }
@@ -114,13 +114,13 @@ final class MeshFiles {
         extent = new MeshPlacement(data);
         near = new ColouredMesh(data);
       }
-      warnOfBareFacets(look);
+      warnOfBareFacets(appearance);
       final ExactPlacement exact = placement.exact();
       if (extent.isNear(exact, placement.rounded())) {
-        return placement.applied(near.of(look, file));
+        return placement.applied(near.of(appearance, file));
       }
       far = far != null ? far : new ColouredMesh(extent.aboutCentre());
-      return extent.applied(exact, far.of(look, file));
+      return extent.applied(exact, far.of(appearance, file));
     }
 
     @Override
@@ -132,9 +132,9 @@ final class MeshFiles {
       }
     }
 
-    private void warnOfBareFacets(final Appearance look) {
+    private void warnOfBareFacets(final Appearance appearance) {
       final int line = file.mesh().firstLineWithoutTexCoords();
-      if (look != null && look.texture() != null && line > 0 && bare.add(file.path)) {
+      if (appearance != null && appearance.texture() != null && line > 0 && bare.add(file.path)) {
         problems.add(file.offset, new Problem(file.path.toString(), line, 1, Problem.Severity.WARNING,
             Messages.text("scenes.someTexCoords")));
       }
@@ -153,13 +153,13 @@ final class MeshFiles {
     }
 
     /** The mesh of an appearance; null: that of the materials of its file. */
-    TriangularMesh of(final Appearance look, final MeshFile file) {
-      TriangularMesh mesh = coloured.get(look);
+    TriangularMesh of(final Appearance appearance, final MeshFile file) {
+      TriangularMesh mesh = coloured.get(appearance);
       if (mesh == null) {
-        mesh = look == null ? TriangularMesh.of(data, file.materials().appearances(), file.materials().ofTriangles())
-            : any != null ? any.with(look) : TriangularMesh.of(data, look);
+        mesh = appearance == null ? TriangularMesh.of(data, file.materials().appearances(), file.materials().ofTriangles())
+            : any != null ? any.with(appearance) : TriangularMesh.of(data, appearance);
         any = mesh;
-        coloured.put(look, mesh);
+        coloured.put(appearance, mesh);
       }
       return mesh;
     }

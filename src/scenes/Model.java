@@ -22,10 +22,10 @@ interface Model {
   }
 
   /** The shape where a rigid placement takes it. */
-  Object3D at(Placement placement, Appearance look);
+  Object3D at(Placement placement, Appearance appearance);
 
   /** An object of the scene: built where it is to be if it keeps its form, transformed if it does not. */
-  default Object3D placed(final Placement placement, final Appearance look) {
-    return placement.isRigid() ? at(placement, look) : placement.applied(at(Placement.NONE, look));
+  default Object3D placed(final Placement placement, final Appearance appearance) {
+    return placement.isRigid() ? at(placement, appearance) : placement.applied(at(Placement.NONE, appearance));
   }
 }

@@ -39,17 +39,17 @@ final class ObjectReader {
     final Model model = id == null ? null : model(object, id);
     final boolean own = values.has(object, "color") || values.has(object, "textureFile") || values.has(object, "materialId");
     final boolean brought = !own && model != null && model.hasMaterials();
-    final Appearance look = brought ? null : illumination ? litAppearance(object) : unlitAppearance(object);
+    final Appearance appearance = brought ? null : illumination ? litAppearance(object) : unlitAppearance(object);
     final Placement placement = placements.read(object);
-    if (model == null || look == null && !brought || placement == null) {
+    if (model == null || appearance == null && !brought || placement == null) {
       return;
     }
-    if (look != null && look.texture() != null && model.textureFault() != null) {
+    if (appearance != null && appearance.texture() != null && model.textureFault() != null) {
       values.problems().error(object.find("textureFile").valueOffset(), model.textureFault());
       return;
     }
     try {
-      final Object3D placed = model.placed(placement, look);
+      final Object3D placed = model.placed(placement, appearance);
       model.check(placement, object.offset());
       if (placed != null) {
         group.addObject(placed);

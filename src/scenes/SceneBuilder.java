@@ -27,16 +27,16 @@ final class SceneBuilder {
   private static final Range STOPS = new Range(-20, true, 20, true);
 
   private final Element image;
-  private final SceneGrammar vocabulary;
+  private final SceneGrammar grammar;
   private final Values values;
   private final Problems problems;
   private final Map<Object3D, String> names = new IdentityHashMap<>();
   private final MeshFiles files;
   private final TextureFiles textures;
 
-  SceneBuilder(final Path file, final Element image, final SceneGrammar vocabulary, final Values values) {
+  SceneBuilder(final Path file, final Element image, final SceneGrammar grammar, final Values values) {
     this.image = image;
-    this.vocabulary = vocabulary;
+    this.grammar = grammar;
     this.values = values;
     this.problems = values.problems();
     this.files = new MeshFiles(file, problems);
@@ -105,7 +105,7 @@ final class SceneBuilder {
   }
 
   private Camera camera(final int W, final int H) {
-    final ViewReader view = new ViewReader(values, vocabulary.types("projection"));
+    final ViewReader view = new ViewReader(values, grammar.types("projection"));
     final Element cameraElement = section("camera");
     final Camera camera = cameraElement == null ? null : view.camera(cameraElement);
     final Element projectionElement = section("projection");
@@ -123,7 +123,7 @@ final class SceneBuilder {
         materials.read(material);
       }
     }
-    final ModelReader models = new ModelReader(values, vocabulary.types("model"), files);
+    final ModelReader models = new ModelReader(values, grammar.types("model"), files);
     for (final Element model : inBlocks("models", "model")) {
       models.read(model);
     }
@@ -140,7 +140,7 @@ final class SceneBuilder {
 
   /** The lights; without illumination it is said once that neither they nor materials have an effect. */
   private LightGroup lights(final boolean illumination) {
-    final LightReader reader = new LightReader(values, vocabulary.types("light"));
+    final LightReader reader = new LightReader(values, grammar.types("light"));
     final LightGroup group = new LightGroup();
     final List<Element> lights = inBlocks("lights", "light");
     for (final Element element : lights) {

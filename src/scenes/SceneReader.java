@@ -92,12 +92,12 @@ public final class SceneReader {
             problems.didYouMean(root.name(), List.of("image")));
         return null;
       }
-      final SceneGrammar vocabulary = new SceneGrammar(problems);
-      vocabulary.check(root);
-      return new SceneBuilder(file, image, vocabulary, new Values(problems, markup.comments())).scene();
-    } catch (final XmlSyntaxException malformed) {
-      problems.add(malformed.offset(), new Problem(file.toString(), problems.source().line(malformed.offset()),
-          problems.source().column(malformed.offset()), Problem.Severity.ERROR, malformed.getMessage()));
+      final SceneGrammar grammar = new SceneGrammar(problems);
+      grammar.check(root);
+      return new SceneBuilder(file, image, grammar, new Values(problems, markup.comments())).scene();
+    } catch (final XmlSyntaxException fault) {
+      problems.add(fault.offset(), new Problem(file.toString(), problems.source().line(fault.offset()),
+          problems.source().column(fault.offset()), Problem.Severity.ERROR, fault.getMessage()));
       return null;
     }
   }

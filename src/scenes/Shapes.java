@@ -34,8 +34,9 @@ final class Shapes {
     }
   }
 
-  private static Object3D sphere(final Point3D C, final float radius, final Appearance look) {
-    return look.isMaterial() ? new Sphere(C, radius, look.material()) : new Sphere(C, radius, look.color());
+  private static Object3D sphere(final Point3D C, final float radius, final Appearance appearance) {
+    return appearance.isMaterial() ? new Sphere(C, radius, appearance.material())
+        : new Sphere(C, radius, appearance.color());
   }
 
   /** Sphere about the origin. */
@@ -47,102 +48,103 @@ final class Shapes {
 
     /** A texture turns with the sphere, which the position of its centre alone does not determine. */
     @Override
-    public Object3D placed(final Placement placement, final Appearance look) {
-      return look.texture() == null ? Model.super.placed(placement, look)
-          : placement.applied(new Sphere(new Point3D(), radius, look.texture()));
+    public Object3D placed(final Placement placement, final Appearance appearance) {
+      return appearance.texture() == null ? Model.super.placed(placement, appearance)
+          : placement.applied(new Sphere(new Point3D(), radius, appearance.texture()));
     }
 
     @Override
-    public Object3D at(final Placement placement, final Appearance look) {
-      return sphere(placement.point(0, 0, 0), radius, look);
+    public Object3D at(final Placement placement, final Appearance appearance) {
+      return sphere(placement.point(0, 0, 0), radius, appearance);
     }
   }
 
   /** Box about the origin: width along X, height along Y, depth along Z. */
   record BoxModel(float width, float height, float depth) implements Model {
     @Override
-    public Object3D at(final Placement placement, final Appearance look) {
+    public Object3D at(final Placement placement, final Appearance appearance) {
       final Point3D C = placement.point(0, 0, 0);
       final Vector3D i = placement.direction(1, 0, 0), j = placement.direction(0, 1, 0);
-      return look.isMaterial() ? new Box(C, i, j, width, height, depth, look.material())
-          : new Box(C, i, j, width, height, depth, look.color());
+      return appearance.isMaterial() ? new Box(C, i, j, width, height, depth, appearance.material())
+          : new Box(C, i, j, width, height, depth, appearance.color());
     }
   }
 
   /** Plane through a point, perpendicular to a normal. */
   record PlaneModel(float[] point, float[] normal) implements Model {
     @Override
-    public Object3D at(final Placement placement, final Appearance look) {
+    public Object3D at(final Placement placement, final Appearance appearance) {
       final Point3D P = placement.point(point[0], point[1], point[2]);
       final Vector3D n = placement.direction(normal[0], normal[1], normal[2]);
-      return look.isMaterial() ? new Plane(P, n, look.material()) : new Plane(P, n, look.color());
+      return appearance.isMaterial() ? new Plane(P, n, appearance.material()) : new Plane(P, n, appearance.color());
     }
   }
 
   /** Closed cylinder about the origin, its axis along Y. */
   record CylinderModel(float radius, float length) implements Model {
     @Override
-    public Object3D at(final Placement placement, final Appearance look) {
+    public Object3D at(final Placement placement, final Appearance appearance) {
       final Point3D P = placement.point(0, 0, 0);
       final Vector3D u = placement.direction(0, 1, 0);
-      return look.isMaterial() ? new Cylinder(P, u, radius, length, look.material())
-          : new Cylinder(P, u, radius, length, look.color());
+      return appearance.isMaterial() ? new Cylinder(P, u, radius, length, appearance.material())
+          : new Cylinder(P, u, radius, length, appearance.color());
     }
   }
 
   /** All points within a radius of the segment from A to B: a sphere if they are one point. */
   record CapsuleModel(float[] a, float[] b, float radius) implements Model {
     @Override
-    public Object3D at(final Placement placement, final Appearance look) {
+    public Object3D at(final Placement placement, final Appearance appearance) {
       final Segment axis = Segment.of(a, b, placement);
       if (axis.length == 0) {
-        return sphere(axis.middle, radius, look);
+        return sphere(axis.middle, radius, appearance);
       }
-      return look.isMaterial() ? new Capsule(axis.middle, axis.direction, radius, axis.length, look.material())
-          : new Capsule(axis.middle, axis.direction, radius, axis.length, look.color());
+      return appearance.isMaterial() ? new Capsule(axis.middle, axis.direction, radius, axis.length, appearance.material())
+          : new Capsule(axis.middle, axis.direction, radius, axis.length, appearance.color());
     }
   }
 
   /** Truncated cone from A to B, which differ, closed by a disc at each end whose radius is not 0. */
   record TruncatedConeModel(float[] a, float[] b, float radiusA, float radiusB) implements Model {
     @Override
-    public Object3D at(final Placement placement, final Appearance look) {
+    public Object3D at(final Placement placement, final Appearance appearance) {
       final Segment axis = Segment.of(a, b, placement);
-      return look.isMaterial()
-          ? new TruncatedCone(axis.middle, axis.direction, radiusA, radiusB, axis.length, look.material())
-          : new TruncatedCone(axis.middle, axis.direction, radiusA, radiusB, axis.length, look.color());
+      return appearance.isMaterial()
+          ? new TruncatedCone(axis.middle, axis.direction, radiusA, radiusB, axis.length, appearance.material())
+          : new TruncatedCone(axis.middle, axis.direction, radiusA, radiusB, axis.length, appearance.color());
     }
   }
 
   /** Torus about the origin, its axis along Y. */
   record TorusModel(float rotationalRadius, float tubeRadius) implements Model {
     @Override
-    public Object3D at(final Placement placement, final Appearance look) {
+    public Object3D at(final Placement placement, final Appearance appearance) {
       final Point3D C = placement.point(0, 0, 0);
       final Vector3D axis = placement.direction(0, 1, 0);
-      return look.isMaterial() ? new Torus(C, axis, rotationalRadius, tubeRadius, look.material())
-          : new Torus(C, axis, rotationalRadius, tubeRadius, look.color());
+      return appearance.isMaterial() ? new Torus(C, axis, rotationalRadius, tubeRadius, appearance.material())
+          : new Torus(C, axis, rotationalRadius, tubeRadius, appearance.color());
     }
   }
 
   /** Ellipsoid about the origin: half-axes a on X, b on Y, c on Z. */
   record EllipsoidModel(float a, float b, float c) implements Model {
     @Override
-    public Object3D at(final Placement placement, final Appearance look) {
+    public Object3D at(final Placement placement, final Appearance appearance) {
       final Point3D C = placement.point(0, 0, 0);
       final Vector3D i = placement.direction(1, 0, 0), j = placement.direction(0, 1, 0);
-      return look.isMaterial() ? new Ellipsoid(C, i, j, a, b, c, look.material())
-          : new Ellipsoid(C, i, j, a, b, c, look.color());
+      return appearance.isMaterial() ? new Ellipsoid(C, i, j, a, b, c, appearance.material())
+          : new Ellipsoid(C, i, j, a, b, c, appearance.color());
     }
   }
 
   /** Egg about the origin, its axis along Y, the pointed pole above. */
   record EggModel(float a, float b, float w) implements Model {
     @Override
-    public Object3D at(final Placement placement, final Appearance look) {
+    public Object3D at(final Placement placement, final Appearance appearance) {
       final Point3D C = placement.point(0, 0, 0);
       final Vector3D axis = placement.direction(0, 1, 0);
-      return look.isMaterial() ? new Egg(C, axis, a, b, w, look.material()) : new Egg(C, axis, a, b, w, look.color());
+      return appearance.isMaterial() ? new Egg(C, axis, a, b, w, appearance.material())
+          : new Egg(C, axis, a, b, w, appearance.color());
     }
   }
 }

@@ -2,6 +2,7 @@ package window;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.Rectangle;
@@ -40,18 +41,19 @@ final class PicturePainter {
   private final Rectangle place;
 
   /**
-   * A painter for a picture of W by H pixels.
+   * A painter for a picture.
    *
    * @param target the buffer to paint into
    * @param clip the region to be painted, in device pixels
    * @param zoom position and scale of the picture, in component coordinates
    * @param scale device pixels per unit of the component's coordinates
+   * @param size size of the picture in pixels
    */
-  PicturePainter(final BufferedImage target, final Rectangle clip, final Zoom zoom, final double scale, final int W,
-      final int H) {
+  PicturePainter(final BufferedImage target, final Rectangle clip, final Zoom zoom, final double scale,
+      final Dimension size) {
     this.g = target.createGraphics();
-    this.W = W;
-    this.H = H;
+    this.W = size.width;
+    this.H = size.height;
     g.setClip(clip);
     unit = (int) Math.max(1, Math.round(scale));
     place = new Rectangle((int) Math.round(zoom.x() * scale), (int) Math.round(zoom.y() * scale),

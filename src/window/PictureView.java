@@ -264,7 +264,8 @@ final class PictureView extends Drawing {
   }
 
   private void paint(final Rectangle part, final double scale) {
-    final PicturePainter painter = new PicturePainter(buffer, part, zoom(), scale, picture.getWidth(), picture.getHeight());
+    final PicturePainter painter = new PicturePainter(buffer, part, zoom(), scale,
+        new Dimension(picture.getWidth(), picture.getHeight()));
     painter.paintGround(getBackground(), hasPicture);
     if (hasPicture) {
       painter.paint(preview == null ? picture : preview, rendering || preview != null);

@@ -76,8 +76,12 @@ final class PolarPlot extends Drawing {
     g.setColor(Color.GRAY);
     g.draw(new Arc2D.Double(x - radius, y - radius, 2 * radius, 2 * radius, 0, 180, Arc2D.CHORD));
     g.draw(new Line2D.Double(x, y, x, y - radius));
-    paintDirection(g, x, y, radius, -Math.toRadians(slice.incidence()), LIGHT, DASHED);
-    paintDirection(g, x, y, radius, viewer, VIEWER, new BasicStroke(1.2f));
+    g.setColor(LIGHT);
+    g.setStroke(DASHED);
+    g.draw(radius(x, y, radius, -Math.toRadians(slice.incidence())));
+    g.setColor(VIEWER);
+    g.setStroke(new BasicStroke(1.2f));
+    g.draw(radius(x, y, radius, viewer));
     g.setStroke(new BasicStroke(1.6f));
     final List<ToDoubleFunction<RadianceRGB>> channels = List.of(RadianceRGB::getR, RadianceRGB::getG, RadianceRGB::getB);
     final Color[] colours = {new Color(0xd64545), new Color(0x2f9e44), new Color(0x2f7fd6)};
@@ -88,11 +92,8 @@ final class PolarPlot extends Drawing {
     g.dispose();
   }
 
-  private static void paintDirection(final Graphics2D g, final double x, final double y, final double radius,
-      final double angle, final Color colour, final BasicStroke stroke) {
-    g.setColor(colour);
-    g.setStroke(stroke);
-    g.draw(new Line2D.Double(x, y, x + radius * Math.sin(angle), y - radius * Math.cos(angle)));
+  private static Line2D radius(final double x, final double y, final double radius, final double angle) {
+    return new Line2D.Double(x, y, x + radius * Math.sin(angle), y - radius * Math.cos(angle));
   }
 
   /** The cube root lets a narrow lobe and a diffuse part be seen together. */

@@ -23,12 +23,12 @@ class LookingInsideTest {
   private static final Ray ALONG_Z = new Ray(new Point3D(0, 0, 5), new Vector3D(0, 0, -1));
 
   /** A ball that is marched to, as a student may write one. */
-  private static class Ball extends ProceduralObject3D {
+  private static class SphereFunction extends ProceduralObject3D {
 
     private final List<Double> asked = new ArrayList<>();
     private final float r;
 
-    Ball(final float r) {
+    SphereFunction(final float r) {
       super(Color.RED);
       this.r = r;
     }
@@ -52,7 +52,7 @@ class LookingInsideTest {
 
   @Test
   void theStepsOfAMarchAreThoseThatTheObjectMakes() {
-    final Ball ball = new Ball(1);
+    final SphereFunction ball = new SphereFunction(1);
     final double t = ball.intersectionWith(ALONG_Z).getT();
     final List<Double> asked = List.copyOf(ball.asked);
     final SphereTrace march = SphereTrace.of(ball, ALONG_Z).orElseThrow();
@@ -73,7 +73,7 @@ class LookingInsideTest {
   @Test
   void aMarchMeetsWhatLiesJustBeforeItsBound() {
     for (int i = 1; i < 1000; i++) {
-      final Ball ball = new Ball(4.99f * i / 1000);
+      final SphereFunction ball = new SphereFunction(4.99f * i / 1000);
       assertEquals(5 - ball.r, ball.intersectionWith(ALONG_Z).getT(), 1e-5f, "radius " + ball.r);
     }
   }
@@ -81,15 +81,15 @@ class LookingInsideTest {
   @Test
   void aMarchTellsWhyItEnded() {
     final Ray past = new Ray(new Point3D(0, 3, 5), new Vector3D(0, 0, -1));
-    assertEquals(SphereTrace.End.PASSED, SphereTrace.of(new Ball(1), past).orElseThrow().end());
-    final Ball undefined = new Ball(1) {
+    assertEquals(SphereTrace.End.PASSED, SphereTrace.of(new SphereFunction(1), past).orElseThrow().end());
+    final SphereFunction undefined = new SphereFunction(1) {
       @Override
       protected float SDF(final Point3D P) {
         return Float.NaN;
       }
     };
     assertEquals(SphereTrace.End.UNDEFINED, SphereTrace.of(undefined, ALONG_Z).orElseThrow().end());
-    final Ball endless = new Ball(1) {
+    final SphereFunction endless = new SphereFunction(1) {
       @Override
       protected float SDF(final Point3D P) {
         return 1e-5f;
@@ -102,7 +102,7 @@ class LookingInsideTest {
     };
     assertEquals(SphereTrace.End.GIVEN_UP, SphereTrace.of(endless, ALONG_Z).orElseThrow().end());
     assertTrue(SphereTrace.of(new Sphere(new Point3D(), 1, Color.RED), ALONG_Z).isEmpty());
-    assertTrue(SphereTrace.of(new Ball(1), Ray.NORAY).isEmpty());
+    assertTrue(SphereTrace.of(new SphereFunction(1), Ray.NORAY).isEmpty());
   }
 
   @Test

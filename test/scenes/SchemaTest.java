@@ -93,7 +93,7 @@ class SchemaTest {
 
   @Test
   void schemaAndReaderKnowTheSameTypesOfModels() throws IOException {
-    final SceneGrammar vocabulary = new SceneGrammar(new Problems(new SourceText("f", "")));
+    final SceneGrammar grammar = new SceneGrammar(new Problems(new SourceText("f", "")));
     final String text = Files.readString(FOLDER.resolve("scene.xsd"));
     for (final String element : new String[] {"model", "light"}) {
       final int from = text.indexOf("<xs:simpleType name=\"" + element + "Type\">");
@@ -103,7 +103,7 @@ class SchemaTest {
       while (value.find()) {
         types.add(value.group(1));
       }
-      assertEquals(new TreeSet<>(vocabulary.types(element)), types);
+      assertEquals(new TreeSet<>(grammar.types(element)), types);
     }
   }
 }
