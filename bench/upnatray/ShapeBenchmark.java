@@ -86,7 +86,7 @@ public class ShapeBenchmark {
   /**
    * Sends the rays.
    *
-   * @return something that depends on all answers
+   * @return a number that depends on all results
    */
   @Benchmark
   @OperationsPerInvocation(RAYS)

@@ -62,7 +62,7 @@ public final class FarSphere {
     return wrong;
   }
 
-  /** Whether a ray, exactly as it is, meets the sphere, which lies before it. */
+  /** Whether a ray, in exact arithmetic, hits the sphere, which lies before it. */
   private static boolean hits(final Ray ray) {
     final BigDecimal[] R = exact(ray.startX(), ray.startY(), ray.startZ());
     final BigDecimal[] v = exact(ray.directionX(), ray.directionY(), ray.directionZ());

@@ -129,7 +129,7 @@ public final class Measurements {
     return u >= 0 && v >= 0 && u + v <= 1 && f * (vx * qx + vy * qy + vz * qz) > 0;
   }
 
-  /** Plain sphere tracing along rays near a thin torus or along an ellipsoid, and the answers of the usual loop. */
+  /** Plain sphere tracing along rays near a thin torus or along an ellipsoid, and the results of the usual loop. */
   private void steps(final String name, final Object3D object, final float r, final boolean ring) {
     final int rays = RAYS / 20;
     long sum = 0;

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 
-/** Makes the zip of the hand-in, or tells every rule that is broken. */
+/** Makes the zip of the hand-in, or reports every rule that is broken. */
 public final class HandIn {
 
   private static final int BROKEN = 1;

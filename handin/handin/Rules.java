@@ -91,7 +91,7 @@ final class Rules {
       final String text = words(new PDFTextStripper().getText(document));
       rule(PROBLEMS.matcher(text).find(), "informe.pdf", "it names no problem (\"problema\")");
       rule(SOLUTIONS.matcher(text).find(), "informe.pdf", "it names no solution (\"solución\")");
-      rule(HOURS.matcher(text).find(), "informe.pdf", "it does not tell the hours (such as \"30 horas\")");
+      rule(HOURS.matcher(text).find(), "informe.pdf", "it does not give the hours (such as \"30 horas\")");
     } catch (IOException unreadable) {
       rule(false, "informe.pdf", "it cannot be read: " + unreadable.getMessage());
     }

@@ -2,7 +2,7 @@ package acceleration;
 
 import java.util.Random;
 
-/** Boxes of all kinds, six floats each, and where rays meet them: the linear scan that a tree is compared with. */
+/** Boxes of all kinds, six floats each, and where rays hit them: the linear scan that a tree is compared with. */
 final class Boxes {
 
   /** What a random set of boxes is like. */

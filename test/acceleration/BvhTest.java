@@ -90,7 +90,7 @@ class BvhTest {
   @ParameterizedTest
   @EnumSource
   void aRayVisitsEveryBoxThatItMeets(final Boxes.Kind kind) {
-    final long[] met = {0};
+    final long[] hits = {0};
     Trials.of(50, random -> {
       final Boxes boxes = Boxes.random(random, kind, COUNTS[random.nextInt(COUNTS.length)]);
       final Tree tree = Tree.over(boxes, 1 + random.nextInt(Bvh.MOST_IN_LEAF));
@@ -99,19 +99,19 @@ class BvhTest {
         final BitSet visited = tree.visited(start, direction);
         for (int box = 0; box < boxes.count(); box++) {
           if (boxes.enter(box, start, direction) < Double.POSITIVE_INFINITY) {
-            met[0]++;
+            hits[0]++;
             assertTrue(visited.get(box), () -> ray(start, direction));
           }
         }
       }
     });
-    assertTrue(met[0] > 1000, () -> "only " + met[0] + " boxes met");
+    assertTrue(hits[0] > 1000, () -> "only " + hits[0] + " boxes hit");
   }
 
   @ParameterizedTest
   @EnumSource
   void theNearestBoxIsThatOfTheLinearScan(final Boxes.Kind kind) {
-    final long[] met = {0};
+    final long[] hits = {0};
     Trials.of(50, random -> {
       final Boxes boxes = Boxes.random(random, kind, COUNTS[random.nextInt(COUNTS.length)]);
       final Tree tree = Tree.over(boxes, 1 + random.nextInt(Bvh.MOST_IN_LEAF));
@@ -121,11 +121,11 @@ class BvhTest {
         for (int box = 0; box < boxes.count(); box++) {
           nearest = Math.min(nearest, boxes.enter(box, start, direction));
         }
-        met[0] += nearest < Double.POSITIVE_INFINITY ? 1 : 0;
+        hits[0] += nearest < Double.POSITIVE_INFINITY ? 1 : 0;
         assertEquals(nearest, tree.nearest(start, direction), () -> ray(start, direction));
       }
     });
-    assertTrue(met[0] > 200, () -> "only " + met[0] + " boxes met");
+    assertTrue(hits[0] > 200, () -> "only " + hits[0] + " boxes hit");
   }
 
   @Test

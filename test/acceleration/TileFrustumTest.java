@@ -18,7 +18,7 @@ import primitives.BoundingBox;
 import primitives.Point3D;
 import trials.Trials;
 
-/** What a ray of a tile meets is never said to be outside of the tile's frustum. */
+/** What a ray of a tile hits is never reported to lie outside the tile's frustum. */
 class TileFrustumTest {
 
   /** What lengths are about: mostly 1, sometimes far from it. */
@@ -85,7 +85,7 @@ class TileFrustumTest {
   @ParameterizedTest
   @EnumSource
   void theTreeVisitsEveryBoxThatARayMeets(final Tiles.Kind kind) {
-    final int[] met = {0}, passed = {0};
+    final int[] hit = {0}, passed = {0};
     Trials.of(400, random -> {
       final double size = size(random);
       final RayTile tile = Tiles.random(random, kind, size);
@@ -115,21 +115,21 @@ class TileFrustumTest {
       for (int i = 0; i < RayTile.SIZE * tile.rows(); i++) {
         for (int b = 0; tile.isPresent(i) && b < count; b++) {
           if (boxes.enter(b, Tiles.start(tile, i), Tiles.direction(tile, i)) < Double.POSITIVE_INFINITY) {
-            met[0]++;
+            hit[0]++;
             final int pixel = i, at = 6 * b;
             assertTrue(visited.get(b), () -> describe(tile, pixel, Arrays.copyOfRange(numbers, at, at + 6)));
           }
         }
       }
     });
-    assertTrue(met[0] > 2000 && passed[0] > 200 || kind == Tiles.Kind.ANY,
-        () -> met[0] + " boxes met, " + passed[0] + " passed by");
+    assertTrue(hit[0] > 2000 && passed[0] > 200 || kind == Tiles.Kind.ANY,
+        () -> hit[0] + " boxes hit, " + passed[0] + " missed");
   }
 
   @ParameterizedTest
   @EnumSource
   void theNearestBoxOfEachRayIsFoundThoughOthersAreLeftOut(final Tiles.Kind kind) {
-    final int[] met = {0};
+    final int[] hit = {0};
     Trials.of(150, random -> {
       final double size = size(random);
       final RayTile tile = Tiles.random(random, kind, size);
@@ -162,17 +162,17 @@ class TileFrustumTest {
         for (int b = 0; tile.isPresent(i) && b < count; b++) {
           expected = Math.min(expected, boxes.enter(b, Tiles.start(tile, i), Tiles.direction(tile, i)));
         }
-        met[0] += expected < Double.POSITIVE_INFINITY ? 1 : 0;
+        hit[0] += expected < Double.POSITIVE_INFINITY ? 1 : 0;
         assertEquals(expected, nearest[i], "pixel " + i);
       }
     });
-    assertTrue(met[0] > 2000 || kind == Tiles.Kind.ANY, () -> met[0] + " boxes met");
+    assertTrue(hit[0] > 2000 || kind == Tiles.Kind.ANY, () -> hit[0] + " boxes hit");
   }
 
   @ParameterizedTest
   @EnumSource(names = "ANY", mode = EnumSource.Mode.EXCLUDE)
   void theWindowOfATriangleHoldsEveryRayThatMeetsIt(final Tiles.Kind kind) {
-    final int[] met = {0}, limited = {0};
+    final int[] hit = {0}, limited = {0};
     Trials.of(1000, random -> {
       final double size = size(random);
       final RayTile tile = Tiles.random(random, kind, size);
@@ -184,8 +184,8 @@ class TileFrustumTest {
         final int i = Tiles.anyRay(random, tile);
         final double[] start = Tiles.start(tile, i), direction = Tiles.direction(tile, i);
         final float[] v = triangleOnRay(random, size, start, direction);
-        if (meets(start, direction, v)) {
-          met[0]++;
+        if (certainlyHits(start, direction, v)) {
+          hit[0]++;
           final boolean inside = f.project(v[0] - f.originX(), v[1] - f.originY(), v[2] - f.originZ(), v[3] - f.originX(),
               v[4] - f.originY(), v[5] - f.originZ(), v[6] - f.originX(), v[7] - f.originY(), v[8] - f.originZ());
           final int column = i % RayTile.SIZE, row = i / RayTile.SIZE;
@@ -195,8 +195,8 @@ class TileFrustumTest {
         }
       }
     });
-    assertTrue(met[0] > 1500 && (limited[0] > 150 || kind == Tiles.Kind.ALL_THE_SAME || kind == Tiles.Kind.NARROW),
-        () -> met[0] + " triangles, " + limited[0] + " windows");
+    assertTrue(hit[0] > 1500 && (limited[0] > 150 || kind == Tiles.Kind.ALL_THE_SAME || kind == Tiles.Kind.NARROW),
+        () -> hit[0] + " triangles, " + limited[0] + " windows");
   }
 
   /** A triangle about a point of a ray, of any size and shape, perhaps reaching behind the start. */
@@ -216,8 +216,8 @@ class TileFrustumTest {
     return v;
   }
 
-  /** Whether a ray meets a triangle beyond doubt. */
-  private static boolean meets(final double[] start, final double[] direction, final float[] v) {
+  /** Whether a ray certainly hits a triangle. */
+  private static boolean certainlyHits(final double[] start, final double[] direction, final float[] v) {
     final double[] a = minus(v, 0, start), b = minus(v, 3, start), c = minus(v, 6, start);
     final double e = volume(direction, b, c), f = volume(direction, c, a), g = volume(direction, a, b);
     final double most = Math.max(Math.abs(e), Math.max(Math.abs(f), Math.abs(g))), doubt = 1e-6 * most;

@@ -20,14 +20,14 @@ import org.junit.jupiter.api.Test;
 
 import models.Object3D;
 
-/** Packages know those only that {@code doc/architecture.md} says; jdeps reads it from the compiled classes. */
+/** Packages depend only on those that {@code doc/architecture.md} says; jdeps reads the dependencies from the classes. */
 class ArchitectureTest {
 
   private static final Pattern DEPENDENCY = Pattern.compile("^ +([a-z]+) +-> ([a-z]+) ", Pattern.MULTILINE);
   private static final Pattern ROW = Pattern.compile("^\\| `([a-z]+)` \\| ([^|]*) \\|", Pattern.MULTILINE);
   private static final Pattern NAME = Pattern.compile("`([a-z]+)`");
 
-  /** What each package knows of the others, by its classes. */
+  /** For each package, those that its classes use. */
   private static Map<String, Set<String>> found() throws Exception {
     final Path classes = Path.of(Object3D.class.getProtectionDomain().getCodeSource().getLocation().toURI());
     final Map<String, Set<String>> found = new TreeMap<>();
@@ -71,7 +71,7 @@ class ArchitectureTest {
     while (found.values().removeIf(Set::isEmpty)) {
       found.values().forEach(known -> known.retainAll(found.keySet()));
     }
-    assertEquals(Map.of(), found, "what is left needs itself");
+    assertEquals(Map.of(), found, "these depend on each other");
   }
 
   private static String text(final Map<String, Set<String>> map) {

@@ -47,7 +47,7 @@ final class Compilation {
     assertTrue(compiled, messages::toString);
   }
 
-  /** Runs a class of it in the folder, in a virtual machine of its own, and answers what it printed. */
+  /** Runs a class of it in the folder, in a virtual machine of its own, and returns what it printed. */
   String run(final String... classAndArguments) throws IOException, InterruptedException {
     final Path output = folder.resolve("output");
     final List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
@@ -56,7 +56,7 @@ final class Compilation {
     final Process program = new ProcessBuilder(command)
         .directory(folder.toFile()).redirectErrorStream(true).redirectOutput(output.toFile()).start();
     try {
-      assertTrue(program.waitFor(2, TimeUnit.MINUTES), "it does not come to an end");
+      assertTrue(program.waitFor(2, TimeUnit.MINUTES), "it does not end");
     } finally {
       program.destroyForcibly();
     }

@@ -8,7 +8,7 @@ import org.junit.platform.launcher.core.LauncherFactory;
 import org.junit.platform.launcher.listeners.SummaryGeneratingListener;
 import org.junit.platform.launcher.listeners.TestExecutionSummary;
 
-/** Runs the tests of a class in a virtual machine of its own, and tells how many passed. */
+/** Runs the tests of a class in a virtual machine of its own, and prints how many passed. */
 final class Laws {
 
   private Laws() {

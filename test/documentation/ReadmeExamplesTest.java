@@ -62,7 +62,7 @@ class ReadmeExamplesTest {
   }
 
   @Test
-  void theShapeOfOnesOwnIsMetInsideItsEdgeOnly() throws Exception {
+  void rayHitsTheDiscWithinItsEdgeOnly() throws Exception {
     compile("Disc");
     try (URLClassLoader loader = new URLClassLoader(new URL[] {folder.toUri().toURL()}, getClass().getClassLoader())) {
       final Object3D disc = (Object3D) loader.loadClass("Disc")
@@ -79,7 +79,7 @@ class ReadmeExamplesTest {
   }
 
   @Test
-  void theShapeOfOnesOwnIsInThePictureOfTheFirstProgram() throws Exception {
+  void theDiscIsInThePictureOfTheFirstProgram() throws Exception {
     final List<String> calls = new Document("README.md").all("`(scene\\.addObject[^`]+;)`");
     assertEquals(1, calls.size());
     final Compilation compilation = new Compilation(folder).add("Disc.java", source("Disc"))
@@ -91,7 +91,7 @@ class ReadmeExamplesTest {
   }
 
   @Test
-  void theLightAndTheMaterialOfOnesOwnAreInTheLitPicture() throws Exception {
+  void theCustomLightAndMaterialAreInTheLitPicture() throws Exception {
     final Compilation compilation = new Compilation(folder).add("Candle.java", source("Candle"))
         .add("Toon.java", source("Toon"))
         .add("Lit.java", source("Lit"));
@@ -102,7 +102,7 @@ class ReadmeExamplesTest {
     assertTrue(bright.getRed() > 2 * bright.getBlue() && bright.getRed() > dark.getRed() + 40, bright + ", " + dark);
   }
 
-  /** A block without a class of its own is what is written into the disc. */
+  /** A block without a class is a member of the disc. */
   @Test
   void everyBlockCompiles() throws IOException {
     int members = 0;
@@ -117,7 +117,7 @@ class ReadmeExamplesTest {
     assertEquals(6, blocks.size());
   }
 
-  /** As told in words: the lines of the first program up to the projection, and then the call. */
+  /** As the text says: the lines of the first program up to the projection, and then the call. */
   @Test
   void theProgramThatShowsADiscInTheWindowCompiles() throws IOException {
     final List<String> calls = new Document("README.md").all("`(window\\.[^`]+\\))`");

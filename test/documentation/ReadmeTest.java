@@ -40,7 +40,7 @@ class ReadmeTest {
   }
 
   @Test
-  void isNoLongerThanAReaderGoes() throws IOException {
+  void isAtMost300LinesLong() throws IOException {
     assertTrue(Files.readAllLines(Path.of("README.md")).size() <= 300);
   }
 

@@ -27,7 +27,7 @@ final class Chess {
     final SceneText scene = new SceneText("chess", """
         The Immortal Game (Anderssen against Kieseritzky, London 1851) after its last move: White has given a bishop, both
         rooks and the queen, and it is mate.
-        Each piece is a stack of shapes in one colour. They may overlap: a ray meets whichever is nearest.
+        Each piece is a stack of shapes in one colour. They may overlap: a ray hits whichever is nearest.
         Written by test/examples/Chess.java.
         """)
         .raster(900, 720, "38 44 56", true)

@@ -34,7 +34,7 @@ class ExamplesTest {
     assertTrue(file.fromProgram().equals(file.fromFile()), file.path() + " differs from what its program writes");
   }
 
-  /** Each side of a facet is met once in the other direction: no hole, no overlap, all facets turned alike. */
+  /** Each edge of a facet occurs once in the other direction: no holes, no overlaps, one orientation. */
   @Test
   void knotIsClosedAndTurnedOutwards() throws IOException {
     final List<double[]> points = new ArrayList<>();

@@ -12,7 +12,7 @@ final class MeshText {
     }
   }
 
-  /** Adds a point and answers its number, from 1. */
+  /** Adds a point and returns its number, from 1. */
   int point(final double x, final double y, final double z) {
     text.append("v ").append(Numbers.text(x, 4)).append(' ').append(Numbers.text(y, 4)).append(' ')
         .append(Numbers.text(z, 4)).append('\n');
@@ -34,7 +34,7 @@ final class MeshText {
    * Adds the facets between neighbours of a grid of points.
    *
    * @param grid the numbers of the points: rows that go round, each closed into a ring
-   * @param closed whether the last row meets the first
+   * @param closed whether the last row is joined to the first
    */
   void rings(final int[][] grid, final boolean closed) {
     for (int i = 0; i < (closed ? grid.length : grid.length - 1); i++) {

@@ -16,7 +16,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The documentation of a shape shows its picture, and tells the source of its intersection. */
+/** The documentation of a shape shows its picture, and names the source of its algorithm. */
 class ShapePicturesTest {
 
   private static final Path MODELS = Path.of("src", "models");

@@ -14,7 +14,7 @@ final class Sponge {
   static String scene() {
     final SceneText scene = new SceneText("Menger sponge", """
         A cube loses its middle and the middles of its six faces; each of the 20 cubes that are left loses the same.
-        What remains are 400 boxes, all of one model; their colours tell where they are:
+        What remains are 400 boxes, all of one model; their colours say where they are:
         red grows along X, green along Y, blue along Z.
         Written by test/examples/Sponge.java.
         """)

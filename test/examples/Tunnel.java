@@ -18,7 +18,7 @@ final class Tunnel {
   /** The text of the file. */
   static String scene() {
     final SceneText scene = new SceneText("tunnel", """
-        Inside a torus. A ray that starts inside a closed shape meets its far wall, so a camera may stand anywhere.
+        Inside a torus. A ray that starts inside a closed shape hits its far wall, so a camera may stand anywhere.
         The hoops are tori too. A torus turns about its Y axis; jVector lays this axis along the tunnel.
         Written by test/examples/Tunnel.java.
         """)

@@ -75,13 +75,13 @@ class JUnitTestWriterTest {
   void theTestOfEveryShapeCompilesAndPasses() throws Exception {
     final SceneFile scene = SampleScenes.of(SampleScenes.perspective(), true, SampleScenes.everyShape());
     final Inspector inspector = new Inspector(scene, W, H);
-    final Set<Object3D> met = new HashSet<>();
+    final Set<Object3D> seen = new HashSet<>();
     final Set<String> methods = new LinkedHashSet<>();
     for (int m = 0; m < W; m++) {
       for (int n = 0; n < H; n++) {
         final Inspection inspection = inspector.inspect(m, n);
         for (final Intersection intersection : inspection.intersections()) {
-          if (met.add(intersection.object())) {
+          if (seen.add(intersection.object())) {
             methods.add(JUnitTestWriter.of(inspection, intersection));
           }
         }

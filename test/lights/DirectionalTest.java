@@ -77,7 +77,7 @@ class DirectionalTest implements LightContract {
     });
   }
 
-  /** A point behind the disc is told the point of the disc before it, too. */
+  /** For points behind the disc too, light would come from the point of the disc in front of them. */
   @Test
   void theDiscIsPlane() {
     assertEquals(new Point3D(2, 5, 2), BEAM.getPosition(new Point3D(2, 9, 2)));

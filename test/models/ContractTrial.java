@@ -72,7 +72,7 @@ final class ContractTrial {
     }
   }
 
-  /** Tries the rays that hit; answers how many. */
+  /** Checks the rays that hit; returns how many. */
   int hits(final BiConsumer<Ray, Hit> law) {
     final int[] count = {0};
     all((ray, hit) -> {

@@ -13,7 +13,7 @@ import tracer.Ray;
  * with more digits than doubles have.
  *
  * <p>What a ray does closer to the surface than a margin, some 1e-8 of the size of the shape, is left to rounding: it
- * may be said to meet a surface that it passes at that distance, and to miss one into which it dips no deeper.
+ * may count as hitting a surface that it passes at that distance, and as missing one into which it dips no deeper.
  */
 abstract class CrossingOracle {
 

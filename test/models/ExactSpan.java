@@ -10,8 +10,8 @@ import tracer.Ray;
  * The part of a ray's line within a convex solid, computed in decimals of 50 digits straight from the definitions: the
  * oracle of the shapes that have a closed form. The line is that of the ray's floats, its direction brought to unit length.
  *
- * @param enter parameter of the first point, null without end
- * @param leave parameter of the last point, null without end
+ * @param enter parameter of the first point, null if unbounded
+ * @param leave parameter of the last point, null if unbounded
  * @param gap by how much the line misses the solid or is in it, in parts of the solid's least size: positive inside
  */
 record ExactSpan(BigDecimal enter, BigDecimal leave, double gap) {
@@ -38,7 +38,7 @@ record ExactSpan(BigDecimal enter, BigDecimal leave, double gap) {
     return round(line.direction, C.minus(line.start), r);
   }
 
-  /** The cylinder without end about the axis C + s û. */
+  /** The infinite cylinder about the axis C + s û. */
   static ExactSpan cylinder(final Line line, final ExactVector C, final ExactVector u, final BigDecimal r) {
     final ExactVector l = C.minus(line.start), d = line.direction;
     return round(d.minus(u.times(d.dot(u))), l.minus(u.times(l.dot(u))), r);

@@ -46,7 +46,7 @@ import view.Projection;
 
 /**
  * Whatever numbers the public constructors and methods of the library are called with, from 1e-30 to 1e30, infinite or
- * none, they answer or throw an IllegalArgumentException (or IllegalStateException, of an object that is not ready); no
+ * none, they return or throw an IllegalArgumentException (or IllegalStateException, of an object that is not ready); no
  * call hangs, and no hit holds NaN.
  */
 class ExtremeNumbersTest {
@@ -56,8 +56,8 @@ class ExtremeNumbersTest {
   private static final int[] INTEGERS = {Integer.MIN_VALUE, -1, 0, 1, 2, 3, Integer.MAX_VALUE};
   private static final Duration LIMIT = Duration.ofSeconds(60);
 
-  /** Calls that came to an answer: a test in which all were refused would show nothing. */
-  private int answers;
+  /** Calls that returned: a test in which all of them threw would show nothing. */
+  private int results;
 
   @ParameterizedTest
   @ValueSource(classes = {Point3D.class, Vector3D.class, BoundingBox.class, Ray.class, Hit.class, Sphere.class, Plane.class,
@@ -67,7 +67,7 @@ class ExtremeNumbersTest {
     Image.class})
   void everyCallIsAnsweredOrRefused(final Class<?> type) {
     assertTimeoutPreemptively(LIMIT, () -> Trials.of(400, random -> tryOut(type, random)));
-    assertTrue(answers > 250, () -> answers + " answers");
+    assertTrue(results > 250, () -> results + " results");
   }
 
   private void tryOut(final Class<?> type, final Random random) throws ReflectiveOperationException {
@@ -107,15 +107,15 @@ class ExtremeNumbersTest {
       values[i] = type == Map.class ? map(generic, random, wildness) : value(type, random, wildness);
     }
     try {
-      final Object answer = called instanceof Method ? ((Method) called).invoke(on, values)
+      final Object result = called instanceof Method ? ((Method) called).invoke(on, values)
           : ((Constructor<?>) called).newInstance(values);
-      answers++;
-      if (answer instanceof Hit) {
-        check((Hit) answer);
-      } else if (answer instanceof RayGenerator) {
-        check(((RayGenerator) answer).getRay(0, 0));
+      results++;
+      if (result instanceof Hit) {
+        check((Hit) result);
+      } else if (result instanceof RayGenerator) {
+        check(((RayGenerator) result).getRay(0, 0));
       }
-      return answer;
+      return result;
     } catch (final InvocationTargetException thrown) {
       final Throwable cause = thrown.getCause();
       if (cause instanceof IllegalArgumentException || cause instanceof IllegalStateException) {

@@ -27,7 +27,7 @@ class Group3DTest implements Object3DContract {
 
   private static final Ray DOWN = new Ray(new Point3D(0, 0, 10), new Vector3D(0, 0, -1));
 
-  /** Two balls that touch, in a group within a group; of their union the answers are those of one solid. */
+  /** Two balls that touch, in a group within a group; their union gives the hits of one solid. */
   @Override
   public Object3D shape(final RandomPlacement at) {
     final Group3D inner = new Group3D(), group = new Group3D();

@@ -15,7 +15,7 @@ final class HitAssertions {
   private HitAssertions() {
   }
 
-  /** That a shape answers a ray with a hit that was worked out on paper. */
+  /** Asserts that a ray hits a shape where it was computed on paper. */
   static void assertHit(final double t, final Point3D P, final Vector3D n, final Object3D shape, final Ray ray) {
     final Hit hit = shape.intersectionWith(ray);
     final String what = shape + ", " + ray + ": " + hit;

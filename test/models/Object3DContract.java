@@ -40,7 +40,7 @@ import tracer.Ray;
  *
  * <p>What it has to send through the placement are the points, the directions and the lengths; so the same shape can be
  * asked for where it is, a million times as large, or turned and moved. A shape that has no volume, such as a triangle,
- * answers false to {@link #isClosed}; one without a bounding box should tell its {@link #size} and its {@link #centre}.
+ * returns false from {@link #isClosed}; one without a bounding box should override {@link #size} and {@link #centre}.
  * Distances and normals have to be as exact as {@link #accuracy} says, in parts of the lengths that play a role. The tests
  * of this package implement it, {@code StudentsObjectTest} for a shape such as a student would write.
  */
@@ -216,7 +216,7 @@ public interface Object3DContract {
     }
   }
 
-  /** In a group, also with others farther away, the shape answers as it does alone. */
+  /** In a group, also with others farther away, the shape gives the same hits as alone. */
   @Test
   default void aGroupAnswersAsTheShapeDoes() {
     final ContractTrial trial = new ContractTrial(this, "group");
@@ -236,7 +236,7 @@ public interface Object3DContract {
     });
   }
 
-  /** The same question gets the same answer, from all threads at once too. */
+  /** The same ray gives the same hit, from all threads at once too. */
   @Test
   default void severalThreadsGetTheSameAnswers() throws Exception {
     final ContractTrial trial = new ContractTrial(this, "threads");

@@ -6,7 +6,7 @@ import org.apache.commons.numbers.core.DD;
 
 /**
  * Real roots of a polynomial where its sign changes, in order, by bisection between the roots of its derivative: slow
- * and certain. Where a double cannot tell the sign, {@link DD} does.
+ * and certain. Where the sign of a double is uncertain, {@link DD} decides.
  */
 final class PolynomialRoots {
 

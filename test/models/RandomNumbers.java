@@ -7,7 +7,7 @@ import primitives.Vector3D;
 
 /**
  * Random numbers for tests, the same in every run. The system property {@code test.seed} gives others; as a text, which
- * belongs into the message of every failed assertion, it tells the seed. The system property {@code test.factor} makes the
+ * belongs into the message of every failed assertion, it gives the seed. The system property {@code test.factor} makes the
  * longer ones of the random tests as many times as long: {@code ant test-single -Dtest.includes=models/SphereTest.java
  * "-Dtest.jvmargs=-ea -Dtest.seed=7 -Dtest.factor=100"}.
  */

@@ -60,7 +60,7 @@ class ShapeMaterialTest {
     assertEquals(CLAY.getColor(), ofClay.getColorAt(hit));
   }
 
-  /** The arguments that a shape answers make the same shape of the same material, or colour, again. */
+  /** The arguments that a shape returns construct the same shape of the same material, or colour. */
   @ParameterizedTest
   @MethodSource("shapes")
   void theArgumentsMakeTheSameShapeAgain(final Object3D ofClay, final Object3D red) throws ReflectiveOperationException {

@@ -74,7 +74,7 @@ class StudentsObjectTest implements Object3DContract {
     assertEquals(Color.ORANGE.getRGB(), CONE.argb(0));
   }
 
-  /** Its slope rises 4 over 3; at half the height the ray along −x meets it at x = 1.5 with the normal (4, 3, 0)/5. */
+  /** Its slope rises 4 over 3; at half the height the ray along −x hits it at x = 1.5 with the normal (4, 3, 0)/5. */
   @Test
   void worksInGroupsAndTransformations() {
     final Ray ray = new Ray(new Point3D(10, 2, 0), new Vector3D(-1, 0, 0));
@@ -123,7 +123,7 @@ class StudentsObjectTest implements Object3DContract {
     assertPicture(groupOf(new AffineTransformation(new Vector3f(1, 0.7f, 1), new Vector3f(1, 1, 0), 40, CONE)), 50);
   }
 
-  /** Answers each ray at t = 1 with an object whose colour tells all bits of the ray's direction. */
+  /** Is hit by each ray at t = 1, in an object whose colour encodes all bits of the ray's direction. */
   private static final class Echo extends Object3D {
 
     Echo(final Color color) {

@@ -180,7 +180,7 @@ class TriangleTest implements Object3DContract {
     assertTrue(hits > RandomNumbers.times(300) && misses > RandomNumbers.times(1000), hits + " hits, " + misses + " misses");
   }
 
-  /** t by barycentric coordinates; infinity for a miss; NaN where an answer in double may differ from the exact one. */
+  /** t by barycentric coordinates; infinity for a miss; NaN where a result in double may differ from the exact one. */
   private static double exactly(final Ray ray, final Point3D A, final Point3D B, final Point3D C) {
     final ExactSpan.Line line = ExactSpan.Line.of(ray);
     final ExactVector a = ExactVector.of(A), e = ExactVector.of(B).minus(a), f = ExactVector.of(C).minus(a), n = e.cross(f);

@@ -128,7 +128,7 @@ class TruncatedConeTest implements Object3DContract {
   }
 
   /**
-   * The exact sign of the discriminant tells rays that hit from those that pass, down to 1e-12 of the way beside the tip;
+   * The exact sign of the discriminant separates rays that hit from those that pass, down to 1e-12 of the way beside the tip;
    * those that pass it only by what rounding to floats can make up are left out, as they may hit the tip.
    */
   @Test

@@ -126,7 +126,7 @@ class WatertightMeshTest {
         new Ray(new Point3D(0, 0, 5), new Vector3D(0, 0, -1))).getT());
   }
 
-  /** A ray within the plane of a face meets the faces at both its ends there. */
+  /** A ray within the plane of a face hits the faces at both of its ends. */
   @Test
   void raysThatSlideAlongAFaceOrAnEdgeOfACubeHit() {
     final TriangularMesh cube = ClosedMesh.cube().mesh();
@@ -154,7 +154,7 @@ class WatertightMeshTest {
   }
 
   /**
-   * A start outside, a vertex whose triangles all face it well: the ray at the vertex meets one of them, not what is behind.
+   * A start outside, a vertex whose triangles all face it well: the ray at the vertex hits one of them, not what is behind.
    */
   @Test
   void raysAtVerticesSeenFromOutsideHitThemThere() {

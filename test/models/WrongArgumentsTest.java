@@ -35,7 +35,7 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * What a caller can get wrong is answered with an exception that names the argument and its value, in English and Spanish.
+ * What a caller can get wrong causes an exception that names the argument and its value, in English and Spanish.
  */
 class WrongArgumentsTest {
 
@@ -329,7 +329,7 @@ class WrongArgumentsTest {
     final String message = assertThrows(IllegalArgumentException.class, call).getMessage();
     final String first = message.replace("la faceta", "facet").replace("A, B y C", "A, B and C");
     assertTrue(first.contains(name), () -> name + " is not named: " + message);
-    assertTrue(message.contains(value), () -> value + " is not told: " + message);
+    assertTrue(message.contains(value), () -> value + " is missing: " + message);
     return message;
   }
 }

@@ -20,7 +20,7 @@ import org.junit.platform.launcher.TestIdentifier;
  *
  * <p>NetBeans reads the output of the runner of JUnit 3 and 4 and has no other way in. It takes only Java
  * identifiers for the names of tests, so the runs of a parameterised method become {@code method_1}, {@code method_2}.
- * The system property {@code test.lines}, which build.xml sets, tells which lines are wanted.
+ * The system property {@code test.lines}, which build.xml sets, says which lines are wanted.
  */
 public final class TestResultLines implements TestExecutionListener {
 

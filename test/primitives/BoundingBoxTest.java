@@ -59,7 +59,7 @@ class BoundingBoxTest {
     assertFalse(new BoundingBox(o, o).isEmpty(), "the box of a single point contains it");
   }
 
-  /** A plane across an axis has a box without end along the other two. */
+  /** A plane perpendicular to an axis has a box that is unbounded along the other two. */
   @Test
   void sidesAtInfinityLeaveTheOtherSidesAsTheyAre() {
     assertSides(BoundingBox.between(-INF, -INF, 2, INF, INF, 3), -INF, -INF, Math.nextDown(2f), INF, INF, Math.nextUp(3f));
@@ -196,10 +196,10 @@ class BoundingBoxTest {
     });
   }
 
-  /** Rays at edges, where the rounding of double decides: none that meets the box, exactly, is said to pass it by. */
+  /** Rays at edges, where the rounding of double decides: none that hits the box in exact arithmetic is reported to miss it. */
   @Test
   void noRayThatExactlyMeetsItPassesItBy() {
-    final int[] meet = {0};
+    final int[] hits = {0};
     Trials.of(4000, random -> {
       final Point3D P = point(random, 1), Q = point(random, 1);
       final float[] min = least(P, Q), max = greatest(P, Q);
@@ -211,12 +211,12 @@ class BoundingBoxTest {
         direction[i] = k * (edge - start[i]);
       }
       if (meetsExactly(min, max, start, direction)) {
-        meet[0]++;
+        hits[0]++;
         assertTrue(new BoundingBox(corner(min), corner(max))
             .isCrossedBy(start[0], start[1], start[2], direction[0], direction[1], direction[2]));
       }
     });
-    assertTrue(meet[0] > 1000, () -> meet[0] + " rays meet their box");
+    assertTrue(hits[0] > 1000, () -> hits[0] + " rays hit their box");
   }
 
   /** Every other ray misses the box widened by a millionth: none of them is said to cross the box. */
@@ -252,16 +252,16 @@ class BoundingBoxTest {
 
   /** The test of slabs without rounding: entering and leaving distances are fractions, of which none is divided. */
   private static boolean meetsExactly(final float[] min, final float[] max, final double[] start, final double[] direction) {
-    boolean meets = true;
+    boolean hits = true;
     for (int i = 0; i < 3; i++) {
       for (int j = 0; j < 3; j++) {
         final BigDecimal enter = times(direction[i] > 0 ? min[i] : max[i], start[i], direction[i], direction[j]);
         final BigDecimal leave = times(direction[j] > 0 ? max[j] : min[j], start[j], direction[j], direction[i]);
-        meets &= enter.compareTo(leave) <= 0;
+        hits &= enter.compareTo(leave) <= 0;
       }
-      meets &= (direction[i] > 0 ? max[i] : min[i]) * direction[i] >= start[i] * direction[i];
+      hits &= (direction[i] > 0 ? max[i] : min[i]) * direction[i] >= start[i] * direction[i];
     }
-    return meets;
+    return hits;
   }
 
   /** (side − start) · |other| with the sign of the direction: a distance times both lengths. */

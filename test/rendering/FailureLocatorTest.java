@@ -24,7 +24,7 @@ import view.Camera;
 import view.Perspective;
 import view.Projection;
 
-/** What the author of an object is told when it fails while a picture is computed. */
+/** What the author of an object reads when it fails during a rendering. */
 class FailureLocatorTest {
 
   private static final class Broken extends Object3D {
@@ -63,12 +63,12 @@ class FailureLocatorTest {
   @Test
   void namesClassPixelAndRayOfAnException() {
     final RuntimeException failure = new ArithmeticException("by a student");
-    final IllegalStateException told = messageOf(new Broken(failure));
-    assertSame(failure, told.getCause());
+    final IllegalStateException reported = messageOf(new Broken(failure));
+    assertSame(failure, reported.getCause());
     final String start = "rendering.FailureLocatorTest$Broken.intersectionWith failed at pixel (15, 10) "
         + "with Ray(R=(0.0, 0.0, 5.0), v=(";
-    assertTrue(told.getMessage().startsWith(start), told.getMessage());
-    assertTrue(told.getMessage().contains("by a student"), told.getMessage());
+    assertTrue(reported.getMessage().startsWith(start), reported.getMessage());
+    assertTrue(reported.getMessage().contains("by a student"), reported.getMessage());
   }
 
   @Test
@@ -100,10 +100,10 @@ class FailureLocatorTest {
 
   @Test
   void namesTheObjectThatCallsItselfWithoutEnd() {
-    final IllegalStateException told = messageOf(new Endless());
-    assertTrue(told.getMessage().startsWith("rendering.FailureLocatorTest$Endless.intersectionWith failed at pixel"),
-        told.getMessage());
-    assertSame(StackOverflowError.class, told.getCause().getClass());
+    final IllegalStateException reported = messageOf(new Endless());
+    assertTrue(reported.getMessage().startsWith("rendering.FailureLocatorTest$Endless.intersectionWith failed at pixel"),
+        reported.getMessage());
+    assertSame(StackOverflowError.class, reported.getCause().getClass());
   }
 
   @Test

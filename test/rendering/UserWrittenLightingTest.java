@@ -217,7 +217,7 @@ class UserWrittenLightingTest {
     return failures[0];
   }
 
-  /** A light that does what it is told. */
+  /** A light that fails on demand. */
   private static final class Candle extends Light {
 
     private final int fault;
@@ -249,14 +249,14 @@ class UserWrittenLightingTest {
   void lightThatFailsIsNamedWithMethodPixelAndRay() {
     final String[] methods = {"getIrradianceAt", "getIrradianceAt", "getIrradianceAt", "getPosition", "getPosition"};
     for (int fault = 0; fault < methods.length; fault++) {
-      final IllegalStateException told = failure(new Candle(fault), floor(new Lambertian(ALL)));
+      final IllegalStateException reported = failure(new Candle(fault), floor(new Lambertian(ALL)));
       final String start = PACKAGE + "Candle." + methods[fault] + " failed at pixel (0, 0) with Ray(R=";
-      assertTrue(told.getMessage().startsWith(start), told.getMessage());
-      assertSame(fault == 2 ? StackOverflowError.class : told.getCause().getClass(), told.getCause().getClass());
+      assertTrue(reported.getMessage().startsWith(start), reported.getMessage());
+      assertSame(fault == 2 ? StackOverflowError.class : reported.getCause().getClass(), reported.getCause().getClass());
     }
   }
 
-  /** A material that does what it is told. */
+  /** A material that fails on demand. */
   private static final class Wrong extends BRDF {
 
     private final int fault;

@@ -5,7 +5,7 @@ import java.util.Random;
 import org.junit.jupiter.api.function.ThrowingConsumer;
 
 /**
- * Repeats a test with random numbers, the same in every run. A trial that fails tells its seed; with the system property
+ * Repeats a test with random numbers, the same in every run. A trial that fails reports its seed; with the system property
  * {@code test.seed} set to it (ant -Dtest.jvmargs="-ea -Dtest.seed=17" test-single ...) it comes first. With
  * {@code test.trials} set to 100 there are a hundred times as many.
  */

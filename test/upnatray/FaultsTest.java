@@ -28,7 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** Faults, done for real: a picture appears whole or not at all. */
 class FaultsTest {
 
-  /** An old picture, as far as the first bytes tell. */
+  /** An old picture, to judge by its first bytes. */
   private static final byte[] OLD = "\u0089PNG\r\n\u001a\nthe old picture".getBytes(StandardCharsets.ISO_8859_1);
 
   private static final String SCENE = """

@@ -186,7 +186,7 @@ class ImageTest {
     assertArrayEquals(SingleRays.pixels(scene, camera, 32, 32, BACKGROUND.getRGB(), Shading.FACING), pixels(image));
   }
 
-  /** A system that allows no more threads answers so when one is started. */
+  /** A system that allows no more threads fails when one is started. */
   @Test
   void theThreadsThatThereAreDoTheWork() {
     final Group3D scene = new Group3D();

@@ -44,17 +44,17 @@ class ProgressTest {
     final Image image = new Image(W, H, Color.BLACK);
     final Group3D scene = ImageTest.sphere(0, 0, 100);
     final int inside = scene.intersectionWith(CAMERA.getRayGenerator(1, 1).getRay(0, 0)).getObject().getColor().getRGB();
-    final AtomicIntegerArray told = new AtomicIntegerArray(W * H);
+    final AtomicIntegerArray reported = new AtomicIntegerArray(W * H);
     final AtomicInteger unfinished = new AtomicInteger();
     assertTrue(image.synthesis(scene, CAMERA, watched(threads, (x, y, width, height) -> {
       for (int i = 0; i < width * height; i++) {
-        told.incrementAndGet((y + i / width) * W + x + i % width);
+        reported.incrementAndGet((y + i / width) * W + x + i % width);
         unfinished.addAndGet(image.getRGB(x + i % width, y + i / width) == inside ? 0 : 1);
       }
       return true;
     })));
     for (int i = 0; i < W * H; i++) {
-      assertEquals(1, told.get(i), "pixel " + i);
+      assertEquals(1, reported.get(i), "pixel " + i);
     }
     assertEquals(0, unfinished.get());
   }
@@ -108,9 +108,9 @@ class ProgressTest {
   void whatAnObjectThrowsReachesTheCaller(final int threads, final int pixel) {
     final Image image = new Image(100, 100, Color.BLACK);
     final RuntimeException exception = new ArithmeticException("by a student");
-    final Exception told = assertThrows(IllegalStateException.class,
+    final Exception thrown = assertThrows(IllegalStateException.class,
         () -> image.synthesis(failing(exception, pixel), CAMERA, watched(threads, Progress.NONE)));
-    assertSame(exception, told.getCause());
+    assertSame(exception, thrown.getCause());
     final Error error = new AssertionError("by a student");
     assertSame(error, assertThrows(AssertionError.class,
         () -> image.synthesis(failing(error, pixel), CAMERA, watched(threads, Progress.NONE))));

@@ -72,7 +72,7 @@ class SamePixelsTest {
     return random.nextInt(6) == 0 ? 1 : 1 + random.nextInt(70);
   }
 
-  /** Answers how many pixels show an object. */
+  /** Returns how many pixels show an object. */
   private static int compare(final Random random, final double unit) {
     final RandomScene scene = new RandomScene(random, unit, 1 + random.nextInt(25));
     final Camera camera = RandomView.camera(random, scene, unit);

@@ -509,10 +509,10 @@ class RenderWindowTest {
     });
     waitFor(() -> !ball.late);
     pin(23, 18);
-    final String answer = label("heading");
+    final String heading = label("heading");
     ball.release.countDown();
     Thread.sleep(300);
-    assertEquals(answer, label("heading"));
+    assertEquals(heading, label("heading"));
   }
 
   @Test
