@@ -128,11 +128,11 @@ class TruncatedConeTest implements Object3DContract {
   }
 
   /**
-   * The exact sign of the discriminant separates rays that hit from those that pass, down to 1e-12 of the way beside the tip;
-   * those that pass it only by what rounding to floats can make up are left out, as they may hit the tip.
+   * The exact sign of the discriminant separates hits from misses, down to 1e-12 of the distance beside the tip. Rays that
+   * miss by no more than rounding to floats can make up are left out, as they may hit the tip.
    */
   @Test
-  void raysThatJustHitOrJustMissNearTheTipAreToldApart() {
+  void raysThatJustHitOrJustMissNearTheTipAreDistinguished() {
     final RandomNumbers numbers = new RandomNumbers("near the tip");
     final ExactVector axis = ExactVector.of(Z), tip = ExactVector.of(O), middle = ExactVector.of(0, 0, -1);
     final BigDecimal one = BigDecimal.ONE;

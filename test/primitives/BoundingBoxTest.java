@@ -196,7 +196,7 @@ class BoundingBoxTest {
     });
   }
 
-  /** Rays at edges, where the rounding of double decides: none that hits the box in exact arithmetic is reported to miss it. */
+  /** Rays at edges, where rounding decides: none that hits the box in exact arithmetic is reported to miss it. */
   @Test
   void noRayThatExactlyMeetsItPassesItBy() {
     final int[] hits = {0};
