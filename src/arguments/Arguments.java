@@ -5,16 +5,15 @@ import javax.vecmath.Tuple3f;
 /**
  * The one place where the arguments of public constructors and methods are checked.
  *
- * <p>Each check returns the value it was given, so that it can stand in an assignment
- * ({@code this.r = positive("r", r)}), or throws an {@link IllegalArgumentException} whose message
- * names the argument and the value found, in the language of the default locale (English, Spanish).
+ * <p>Each check returns the value it was given, for use in an assignment ({@code this.r = positive("r", r)}), or throws
+ * an {@link IllegalArgumentException} whose message names the argument and its value, in the language of the default
+ * locale (English, Spanish).
  */
 public final class Arguments {
 
   /**
-   * Sine of the angle below which two directions count as parallel. A direction given in floats is
-   * uncertain by half a unit in the last place, 2<sup>-24</sup>, in each of its three components; this is
-   * eight times that.
+   * Sine of the angle below which two directions count as parallel. A direction of floats is uncertain by half an ulp,
+   * 2<sup>-24</sup>, in each component; this is eight times that.
    */
   private static final double PARALLEL = 0x1p-21;
 
@@ -22,7 +21,7 @@ public final class Arguments {
   }
 
   /**
-   * Checks that an argument is there.
+   * Checks that an argument is not null.
    *
    * @param <T> its type
    * @param name name of the argument
@@ -73,7 +72,7 @@ public final class Arguments {
    * @param name name of the argument
    * @param value its value
    * @param otherName name of the other argument
-   * @param other its value, not allowed itself
+   * @param other its value, excluded
    * @return the value
    * @throws IllegalArgumentException if the value is not greater than the other, or if one of them is NaN
    */
@@ -103,8 +102,8 @@ public final class Arguments {
    * Checks that a number lies in an open interval.
    *
    * @param name name of the argument
-   * @param low lower end, not allowed itself
-   * @param high upper end, not allowed itself
+   * @param low lower end, excluded
+   * @param high upper end, excluded
    * @param value its value
    * @return the value
    * @throws IllegalArgumentException if the value is not strictly between the ends, or is NaN
@@ -120,8 +119,8 @@ public final class Arguments {
    * Checks that a number lies in a closed interval.
    *
    * @param name name of the argument
-   * @param low lower end, allowed
-   * @param high upper end, allowed
+   * @param low lower end, included
+   * @param high upper end, included
    * @param value its value
    * @return the value
    * @throws IllegalArgumentException if the value lies outside, or is NaN
@@ -137,8 +136,8 @@ public final class Arguments {
    * Checks that a number in double lies in a closed interval.
    *
    * @param name name of the argument
-   * @param low lower end, allowed
-   * @param high upper end, allowed
+   * @param low lower end, included
+   * @param high upper end, included
    * @param value its value
    * @return the value
    * @throws IllegalArgumentException if the value lies outside, or is NaN
@@ -184,7 +183,7 @@ public final class Arguments {
    * Checks that an index is one of {@code 0 … count - 1}.
    *
    * @param name name of the argument
-   * @param count number of things that can be named
+   * @param count number of elements
    * @param value its value
    * @return the value
    * @throws IllegalArgumentException if the value is negative or not less than the count
@@ -197,7 +196,7 @@ public final class Arguments {
   }
 
   /**
-   * Checks a point or a vector: there, and without an infinite or NaN coordinate.
+   * Checks a point or a vector: not null, and all coordinates finite.
    *
    * @param <T> its type
    * @param name name of the argument
@@ -238,7 +237,7 @@ public final class Arguments {
    * @param vector its value
    * @param otherName name of the direction that it must differ from
    * @param other that direction
-   * @throws IllegalArgumentException if one of them is no direction, or if they are parallel
+   * @throws IllegalArgumentException if one of them is not a direction, or if they are parallel
    */
   public static void notParallel(final String name, final Tuple3f vector, final String otherName, final Tuple3f other) {
     direction(name, vector);
@@ -252,10 +251,10 @@ public final class Arguments {
   }
 
   /**
-   * The exception for an argument that is wrong in a way of its own.
+   * The exception for an argument that none of the checks above covers.
    *
    * @param key key of the message in the bundle {@code arguments.messages}
-   * @param parts what the message names: the argument, its value and what else it needs
+   * @param parts parts of the message: the argument, its value, and so on
    * @return the exception, to be thrown
    */
   public static IllegalArgumentException wrong(final String key, final Object... parts) {
@@ -263,10 +262,10 @@ public final class Arguments {
   }
 
   /**
-   * The exception for a call at the wrong moment.
+   * The exception for a call in the wrong state.
    *
    * @param key key of the message in the bundle {@code arguments.messages}
-   * @param parts what the message names
+   * @param parts parts of the message
    * @return the exception, to be thrown
    */
   public static IllegalStateException wrongState(final String key, final Object... parts) {

@@ -19,10 +19,10 @@ public final class Messages {
   }
 
   /**
-   * A message, always on one line whatever its parts hold.
+   * A message, on one line whatever its parts contain.
    *
    * @param key the package whose bundle holds the message, a dot, and the key in that bundle
-   * @param parts the values for {@code {0}}, {@code {1}} and so on, written as {@link String#valueOf(Object)} does
+   * @param parts the values for {@code {0}}, {@code {1}} and so on, converted by {@link String#valueOf(Object)}
    * @return the text
    * @throws java.util.MissingResourceException if there is no such message
    */
@@ -37,7 +37,7 @@ public final class Messages {
   }
 
   /**
-   * A piece of a file, fit for a message: on one line, at most {@value #LONGEST_QUOTE} characters, in backquotes.
+   * A piece of a file as a message quotes it: on one line, at most {@value #LONGEST_QUOTE} characters, in backquotes.
    *
    * @param text the piece
    * @return the quotation

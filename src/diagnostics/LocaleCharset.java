@@ -4,10 +4,10 @@ import java.nio.charset.Charset;
 import java.nio.charset.IllegalCharsetNameException;
 import java.nio.charset.UnsupportedCharsetException;
 
-/** The encoding in which the virtual machine passes names to the system; the locale decides on it. */
+/** The encoding in which the virtual machine passes names to the system; it depends on the locale. */
 public final class LocaleCharset {
 
-  /** What stands for bytes that could not be decoded when the virtual machine read the command line. */
+  /** Replacement character for bytes of the command line that the virtual machine could not decode. */
   private static final char UNDECODED = '\ufffd';
 
   private static final String NAME = System.getProperty("sun.jnu.encoding", Charset.defaultCharset().name());

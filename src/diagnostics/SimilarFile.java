@@ -13,12 +13,12 @@ import java.util.stream.Stream;
 import arguments.Messages;
 
 /**
- * Which existing file someone meant who wrote the name of a missing one: one whose name differs only in case, in the Unicode
- * normal form of its accents or in its ending, or else one that was mistyped.
+ * Finds the existing file that was probably meant by the name of a missing one: one that differs in case, in the Unicode
+ * normal form of accents or in its ending only, or else by a typing error.
  */
 public final class SimilarFile {
 
-  /** In a folder of more files nothing is looked for. */
+  /** Larger folders are not searched. */
   private static final int MOST = 1000;
 
   private SimilarFile() {
@@ -28,7 +28,7 @@ public final class SimilarFile {
    * The end of a message about a missing file: a full stop and the question whether another was meant.
    *
    * @param missing the file
-   * @param endings endings of the files that would do, in lower case, such as {@code .xml}
+   * @param endings acceptable endings in lower case, such as {@code .xml}
    * @return the text to be appended; empty if no file is similar
    */
   public static String question(final Path missing, final String... endings) {

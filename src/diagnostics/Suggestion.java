@@ -11,7 +11,7 @@ import arguments.Messages;
  */
 public final class Suggestion {
 
-  /** Longer names are not compared, nor one with more names than these. */
+  /** Longer names, and longer lists of names, are not compared. */
   private static final int LONGEST = 40;
   private static final int MOST = 1000;
 

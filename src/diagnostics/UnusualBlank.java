@@ -3,9 +3,8 @@ package diagnostics;
 import java.util.Locale;
 
 /**
- * Characters that look like a blank, or like nothing, but separate no words: no-break, thin and ideographic blanks,
- * zero-width characters, a byte-order mark in the middle of a text. Programs that set type bring them into files by copy and
- * paste.
+ * Characters that look like a blank, or are invisible, but do not separate words: no-break, thin and ideographic blanks,
+ * zero-width characters, a byte-order mark in the middle of a text. They get into files by copying from word processors.
  */
 public final class UnusualBlank {
 
@@ -13,7 +12,7 @@ public final class UnusualBlank {
   }
 
   /**
-   * Whether a character is one.
+   * Whether a character is of this kind.
    *
    * @param codePoint the character
    * @return false for blank, tab and line ends
@@ -40,7 +39,7 @@ public final class UnusualBlank {
   }
 
   /**
-   * The text with ordinary blanks in their place.
+   * Replaces them by ordinary blanks.
    *
    * @param text a text
    * @return a text of the same length

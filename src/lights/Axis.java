@@ -5,12 +5,12 @@ import static arguments.Arguments.wrong;
 
 import primitives.Point3D;
 
-/** The axis of a light: the line from its position S to a point that it is turned to, in double. */
+/** The axis of a light: the line from its position S through the point that it is aimed at, in double. */
 final class Axis {
 
   /**
-   * How far beyond its edge a field still reaches, relative to the distance from the light, so that the edge is lit in spite
-   * of the rounding of a dozen operations, 2⁻⁵³ each.
+   * How far beyond its edge a field extends, relative to the distance from the light, so that the edge is lit in spite of
+   * a dozen rounding errors of 2⁻⁵³ each.
    */
   static final double EDGE = 0x1p-48;
 

@@ -8,9 +8,9 @@ import radiometry.RadianceRGB;
 import radiometry.SpectrumRGB;
 
 /**
- * A collimated beam: a disc about the position that shines along its axis û. With a = (P − S)·û, a point is lit if a &gt; 0
- * and its distance from the axis is at most the radius r; then E = Φ / (π r²) at any distance, and the light comes from
- * Q = P − a û, the point of the disc before it. The disc is the course's own kind of light.
+ * A collimated beam: a disc about the position that shines along its axis û. With a = (P − S)·û, a point is lit if a &gt;
+ * 0 and its distance from the axis is at most the radius r; then E = Φ / (π r²) at any distance, and the light comes from
+ * Q = P − a û, the point of the disc in front of P. This kind of light is the course's own.
  *
  * <p><img src="doc-files/Directional.png" width="320" height="240" alt="A ball in a beam">
  */

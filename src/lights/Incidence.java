@@ -1,9 +1,8 @@
 package lights;
 
 /**
- * The light that a {@link Light} sends to a point: how much, from which direction, from how far. For renderers, which keep
- * one for each thread and have it filled for light after light, so that nothing is allocated on the way. Mutable, for one
- * thread at a time.
+ * The light that a {@link Light} sends to a point: how much, from which direction, from how far. For renderers, which
+ * reuse one per thread for all lights, so that nothing is allocated. Mutable, for one thread at a time.
  */
 public final class Incidence {
 
@@ -15,7 +14,7 @@ public final class Incidence {
   private double z;
   private double distance;
 
-  /** No light yet: all numbers are 0. */
+  /** All numbers are 0. */
   public Incidence() {
     // Filled by lights.
   }
@@ -48,7 +47,7 @@ public final class Incidence {
     distance = d;
   }
 
-  /** Sets direction and distance from a vector to the light; returns false if it has no length, or none that is finite. */
+  /** Sets direction and distance from a vector to the light; returns false if its length is 0 or not finite. */
   boolean aim(final double dx, final double dy, final double dz) {
     final double d = Math.sqrt(dx * dx + dy * dy + dz * dz);
     setDirection(dx / d, dy / d, dz / d, d);

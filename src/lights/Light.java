@@ -11,12 +11,12 @@ import radiometry.RadianceRGB;
 import radiometry.SpectrumRGB;
 
 /**
- * A source of light with a position and a power. A new kind of light extends this class and writes
+ * A source of light with a position and a power. A new kind of light extends this class and implements
  * {@link #getIrradianceAt}: see {@link lights}.
  */
 public abstract class Light {
 
-  /** An irradiance this large is beyond any picture, and its products with materials do not overflow. */
+  /** Limit of irradiances: far beyond any picture, and products with materials do not overflow. */
   private static final double LARGEST = 0x1p600;
 
   private final float x;
@@ -62,8 +62,8 @@ public abstract class Light {
   }
 
   /**
-   * The irradiance of this light at a point, perpendicular to the direction from which it comes, as if nothing stood
-   * between.
+   * The irradiance of this light at a point, perpendicular to the direction from which it comes, as if nothing blocked
+   * it.
    *
    * @param P the point
    * @return the irradiance, {@link RadianceRGB#NORADIANCE} outside the field of the light; never null
@@ -72,7 +72,7 @@ public abstract class Light {
   public abstract RadianceRGB getIrradianceAt(Point3D P);
 
   /**
-   * From where a point is lit. What lies between the two casts a shadow.
+   * The point from which a point is lit. Objects between the two cast a shadow.
    *
    * @param P the point
    * @return a new point; by default the position of the light
@@ -100,13 +100,13 @@ public abstract class Light {
 
   /**
    * For renderers: irradiance, direction and distance of this light at a point, without allocation by the lights of this
-   * package. The default asks {@link #getIrradianceAt} and {@link #getPosition(Point3D)}.
+   * package. The default calls {@link #getIrradianceAt} and {@link #getPosition(Point3D)}.
    *
    * @param px first coordinate of the point
    * @param py second coordinate
    * @param pz third coordinate
    * @param incidence what the result is written to; unspecified if the result is false
-   * @return false if no light comes to the point, or if it is the very point from which the light comes
+   * @return false if no light arrives at the point, or if the light comes from the point itself
    * @throws IllegalStateException if one of these two methods returns null, or a point that is not finite
    */
   public boolean illuminate(final double px, final double py, final double pz, final Incidence incidence) {
@@ -144,7 +144,7 @@ public abstract class Light {
         : new RadianceRGB(incidence.irradianceR(), incidence.irradianceG(), incidence.irradianceB());
   }
 
-  /** The arguments that all lights have, for texts: spectrum and power. */
+  /** The arguments that all lights have, spectrum and power, for {@code toString}. */
   final String emission() {
     return spectrum + ", power=" + power;
   }

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The lights of a scene, in the order in which they were added. Mutable: lights are added before a picture is made, by one
+ * The lights of a scene, in the order in which they were added. Mutable: add all lights before rendering, from one
  * thread.
  */
 public final class LightGroup {
@@ -38,7 +38,7 @@ public final class LightGroup {
   /**
    * The lights.
    *
-   * @return a list of the lights added so far, which cannot be changed and does not change
+   * @return an immutable copy of the list
    */
   public List<Light> getLights() {
     return List.copyOf(members);

@@ -14,12 +14,12 @@
  * <li>A light knows no obstacles. A renderer looks for them on the open segment from P to the point from which P is lit;
  *     what lies behind that point does not block.</li>
  * <li>Lights cannot be seen and cast no shadow. The edges of their fields are sharp, and the edge itself is lit.</li>
- * <li>Lights are immutable and are asked by several threads at once.</li>
+ * <li>Lights are immutable and are called by several threads concurrently.</li>
  * </ul>
  *
  * <h2>How to add a light</h2>
- * <p>Extend {@link lights.Light} and write {@code getIrradianceAt}. A light of more than one point also overrides
- * {@code getPosition(P)}, the point from which P is lit. As an example, a flame that does not blind from near by:
+ * <p>Extend {@link lights.Light} and implement {@code getIrradianceAt}. A light of more than one point also overrides
+ * {@code getPosition(P)}, the point from which P is lit. As an example, a flame that is not blinding from near by:
  *
  * <pre>{@code
  * public class Candle extends Light {
@@ -39,6 +39,6 @@
  *
  * <h2>For renderers</h2>
  * <p>{@link lights.Light#illuminate} gives irradiance, direction and distance at once, in double, into an
- * {@link lights.Incidence} that the caller keeps: the lights of this package allocate nothing there.
+ * {@link lights.Incidence} that the caller keeps: the lights of this package allocate nothing in it.
  */
 package lights;

@@ -4,11 +4,11 @@ import static arguments.Arguments.notNull;
 import static arguments.Arguments.wrong;
 
 /**
- * A box along the coordinate axes, given by its corners of least and of greatest coordinates.
+ * An axis-aligned box, given by its corners of least and greatest coordinates.
  *
- * <p>Immutable. A box computed in double is rounded outwards ({@link #around}), so that what lies inside in exact arithmetic
- * lies inside in floats too. The empty box, {@link #EMPTY}, goes from +∞ to −∞, so that a union needs no special case; the
- * box of all space, {@link #UNBOUNDED}, goes from −∞ to +∞.
+ * <p>Immutable. A box computed in double is rounded outwards ({@link #around}), so that points inside it in exact
+ * arithmetic are inside it in floats too. The empty box, {@link #EMPTY}, goes from +∞ to −∞, so that a union needs no
+ * special case; the box of all space, {@link #UNBOUNDED}, goes from −∞ to +∞.
  */
 public final class BoundingBox {
 
@@ -16,13 +16,13 @@ public final class BoundingBox {
   public static final BoundingBox EMPTY = new BoundingBox(Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY,
       Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY);
 
-  /** The box that contains all of space: every ray crosses it. */
+  /** The box of all space: every ray hits it. */
   public static final BoundingBox UNBOUNDED = new BoundingBox(Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY,
       Float.NEGATIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY);
 
   /**
-   * By how much a computed box is widened, relative to its coordinates: the points of a surface are computed with a few
-   * rounding errors of 2⁻⁵³ each, which the rounding to floats does not cover where a side lies close to 0.
+   * By how much a computed box is widened, relative to its coordinates: points of a surface carry a few rounding errors
+   * of 2⁻⁵³ each, which rounding to floats does not cover where a side is close to 0.
    */
   private static final double WIDER = 0x1p-48;
 
@@ -39,8 +39,8 @@ public final class BoundingBox {
   /**
    * The box between two corners.
    *
-   * @param min corner of the least coordinates; −∞ is allowed
-   * @param max corner of the greatest coordinates, none less than that of min; +∞ is allowed
+   * @param min corner of least coordinates; −∞ is allowed
+   * @param max corner of greatest coordinates, none less than that of min; +∞ is allowed
    * @throws IllegalArgumentException if a corner is null, holds NaN, or if min exceeds max in a coordinate
    */
   public BoundingBox(final Point3D min, final Point3D max) {
@@ -61,7 +61,7 @@ public final class BoundingBox {
   }
 
   /**
-   * The box about a centre, rounded outwards to floats and a little wider than the rounding of doubles.
+   * The box about a centre, rounded outwards to floats and widened by the rounding of doubles.
    *
    * @param x first coordinate of the centre
    * @param y second coordinate of the centre
@@ -99,7 +99,7 @@ public final class BoundingBox {
   }
 
   /**
-   * The smallest box that contains this one and another.
+   * The union: the smallest box that contains this one and another.
    *
    * @param box the other box
    * @return the box of both
@@ -123,7 +123,7 @@ public final class BoundingBox {
   }
 
   /**
-   * Whether it contains no point.
+   * Whether the box is empty.
    *
    * @return true for {@link #EMPTY}
    */
@@ -144,10 +144,9 @@ public final class BoundingBox {
   }
 
   /**
-   * Whether a ray passes through the box or touches it. The test is that of slabs (Kay and Kajiya, "Ray tracing
-   * complex scenes", SIGGRAPH 1986), computed in double with the far side moved outwards by the bound of its
-   * rounding errors (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013). A direction component of 0 has a branch of
-   * its own, where 0 · ∞ would be NaN.
+   * Whether a ray hits the box, by the slab test (Kay and Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986), in
+   * double, with the far side moved outwards by its rounding error (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013). A
+   * direction component of 0 has a branch of its own, where 0 · ∞ would be NaN.
    *
    * @param x first coordinate of the start of the ray
    * @param y second coordinate of the start

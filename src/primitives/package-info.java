@@ -12,7 +12,7 @@
  *     smallest t &gt; 0; a ray that starts inside a closed object hits its far wall. A ray that starts exactly on
  *     a surface may or may not hit it there.</li>
  * <li>A normal is of unit length and belongs to the surface: outward, never turned towards the ray.</li>
- * <li>The public interface uses floats, as the assignment says; what can cancel is computed in double.</li>
+ * <li>The public interface uses floats, as the assignment says; what is prone to cancellation is computed in double.</li>
  * <li>The points and vectors of vecmath are mutable, so objects copy those that they are given and return copies.</li>
  * <li>Wrong arguments cause an {@link java.lang.IllegalArgumentException}, thrown by {@link arguments.Arguments}.</li>
  * </ul>

@@ -58,9 +58,9 @@ public final class RadianceRGB {
   }
 
   /**
-   * The sum of two.
+   * Adds two radiances.
    *
-   * @param other what is added
+   * @param other the radiance to add
    * @return the sum, channel by channel
    * @throws IllegalArgumentException if other is null, or if the sum overflows
    */
@@ -70,7 +70,7 @@ public final class RadianceRGB {
   }
 
   /**
-   * A multiple.
+   * Scales a radiance.
    *
    * @param factor a number, at least 0
    * @return each channel times the factor

@@ -6,8 +6,8 @@ import static arguments.Arguments.within;
 import java.awt.Color;
 
 /**
- * The part of light that is reflected or let through, a factor from 0 to 1 for each of the channels red, green and blue of
- * linear sRGB. Immutable.
+ * The fraction of light that is reflected or transmitted, a factor from 0 to 1 for each of the channels red, green and
+ * blue of linear sRGB. Immutable.
  */
 public final class ReflectanceRGB {
 
@@ -30,8 +30,8 @@ public final class ReflectanceRGB {
   }
 
   /**
-   * The reflectance of a matte surface that looks as a colour does on a screen: its numbers decoded to linear by IEC
-   * 61966-2-1, "Default RGB colour space - sRGB", 1999. Alpha is ignored.
+   * The reflectance of a matte surface of a colour of the screen: its components decoded to linear by IEC 61966-2-1,
+   * "Default RGB colour space - sRGB", 1999. Alpha is ignored.
    *
    * @param srgb the colour
    * @throws IllegalArgumentException if the colour is null

@@ -9,7 +9,7 @@ import static arguments.Arguments.wrong;
  */
 public final class SpectrumRGB {
 
-  /** How far from 1 the sum of the shares may be: they are written with four digits or more. */
+  /** How far the sum of the shares may be from 1: files give them with four digits or more. */
   private static final double TOLERANCE = 1e-4;
 
   private final float r;

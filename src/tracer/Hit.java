@@ -25,16 +25,19 @@ import primitives.Vector3D;
  */
 public final class Hit {
 
-  /** No intersection, as if it happened at an infinite distance. It has neither point nor normal nor object. */
+  /** No intersection, at infinite distance. It has neither point nor normal nor object. */
   public static final Hit NOHIT = new Hit();
 
-  /** Shading normals shorter than this, once they are cut, have no direction left but that of the geometric normal. */
+  /** A shading normal that is shorter than this after it was cut is replaced by the geometric normal. */
   private static final double SHORTEST = 1e-6;
 
-  /** Greatest distance by which a ray starts off the surface, relative to the numbers of the hit. */
+  /** Greatest offset from the surface at which a ray starts, relative to the largest number of the hit. */
   private static final double GREATEST_OFFSET = 1e-6;
 
-  /** Relative distance within which a ray does not hit the object that it leaves if its hits are only floats. */
+  /**
+   * Relative distance within which a ray ignores the object that it leaves, if hits of that object have float accuracy
+   * only.
+   */
   private static final double BLIND = 1e-4;
 
   private final double t;
@@ -53,7 +56,7 @@ public final class Hit {
   private final Object3D object;
 
   /**
-   * An intersection with a surface that is shaded as it is.
+   * An intersection with a surface that is shaded by its geometric normal.
    *
    * @param t distance from the start of the ray in scene units, &gt; 0 and finite
    * @param P point of the intersection
@@ -67,8 +70,8 @@ public final class Hit {
   }
 
   /**
-   * An intersection with a surface that is shaded by a normal of its own, or that has a texture. The normal that shades is
-   * cut to the front: where n·g &lt; 0 it loses its part along the geometric normal g.
+   * An intersection with a surface that has a shading normal or a texture. The normal that shades is cut to the front:
+   * where n·g &lt; 0 it loses its part along the geometric normal g.
    *
    * @param t distance from the start of the ray in scene units, &gt; 0 and finite
    * @param P point of the intersection
@@ -179,8 +182,8 @@ public final class Hit {
   }
 
   /**
-   * The intersection that a shape has computed in double. Where the numbers leave what a float can hold, or make
-   * no normal, there is no intersection to speak of.
+   * The intersection that a shape has computed in double. Where a number overflows float, or there is no normal, it
+   * counts as a miss.
    *
    * @param t distance from the start of the ray
    * @param x first coordinate of the point
@@ -220,7 +223,7 @@ public final class Hit {
    * The same hit as seen from a ray that starts farther back.
    *
    * @param distance how much farther back, in scene units
-   * @return the hit with that much added to t; {@link #NOHIT} if no float holds it
+   * @return the hit with the distance added to t; {@link #NOHIT} if that overflows float
    */
   public Hit seenFromBehind(final double distance) {
     return isDistance(t + distance) ? new Hit(this, t + distance) : NOHIT;
@@ -419,23 +422,23 @@ public final class Hit {
   }
 
   /**
-   * How far the point can be off the surface, with a margin: a ray that starts this far from the point along the geometric
-   * normal starts on that side of the surface, also as the object's own arithmetic sees it.
+   * How far the point can be off the surface, with a margin: a ray that starts this far from the point along the
+   * geometric normal starts on that side of the surface, in the object's own arithmetic too.
    *
-   * @return a distance in scene units; infinity if the accuracy is unknown, as for hits made by a public constructor, which
-   *     have only floats behind them
+   * @return a distance in scene units; infinity if the accuracy is unknown, as for hits made by a public constructor,
+   *     which takes floats
    */
   public double errorBound() {
     return error;
   }
 
-  /** The largest of the numbers that a hit was computed with: the coordinates of the point and the distance. */
+  /** The largest magnitude among the numbers of a hit: the coordinates of the point and the distance. */
   private double scale() {
     return Math.max(Math.max(Math.abs(x), Math.abs(y)), Math.max(Math.abs(z), t));
   }
 
   /**
-   * How far off the surface the rays start that leave the point of this hit.
+   * The offset from the surface at which rays start that leave this hit.
    *
    * @return the error bound, at most 10<sup>−6</sup> of the largest number of the hit
    */
@@ -444,9 +447,9 @@ public final class Hit {
   }
 
   /**
-   * The ray that leaves the point of this hit. It starts off the surface by {@link #offset()}, on the side
-   * it goes to. If the accuracy of the hit is unknown, the ray does not hit the object that it leaves within
-   * 10<sup>−4</sup> of the largest number of the hit: see {@link Ray#isBlindTo}.
+   * The ray that leaves the point of this hit. It starts off the surface by {@link #offset()}, on the side it goes to. If
+   * the accuracy of the hit is unknown, the ray ignores the object that it leaves within 10<sup>−4</sup> of the largest
+   * number of the hit: see {@link Ray#isBlindTo}.
    *
    * @param outside whether it starts on the outer side, where the geometric normal points
    * @param dx first component of its direction, of unit length

@@ -13,13 +13,13 @@ import primitives.Vector3D;
  * A ray: the points R + t v, t &gt; 0, of a starting point R and a direction v of unit length, so that the
  * parameter t is the distance from R in scene units.
  *
- * <p>Immutable. Points and vectors are copied on their way in and out. What they hold are floats; for
- * computations that cancel, the same numbers are available in double and without a copy, the direction brought
- * to unit length once more in double ({@link #startX()}, {@link #directionX()} and so on).
+ * <p>Immutable. Points and vectors are copied on their way in and out. They hold floats; for computations prone to
+ * cancellation, the same numbers are available in double and without a copy, the direction normalised again in double
+ * ({@link #startX()}, {@link #directionX()} and so on).
  */
 public final class Ray {
 
-  /** The absence of a ray: no object has a hit on it but {@link Hit#NOHIT}. Its accessors return null or NaN. */
+  /** The absence of a ray: it hits no object, and its accessors return null or NaN. */
   public static final Ray NORAY = exactly(Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
 
   private final double startX;
@@ -61,7 +61,7 @@ public final class Ray {
     assert Math.abs(directionX * directionX + directionY * directionY + directionZ * directionZ - 1) < 1e-12 : this;
   }
 
-  /** Rounds the scaled direction to floats, and brings what they are to unit length in double. */
+  /** Rounds the scaled direction to floats, and normalises those in double. */
   private Ray(final double startX, final double startY, final double startZ,
       final double x, final double y, final double z, final double scale) {
     this.startX = startX;
@@ -104,8 +104,8 @@ public final class Ray {
   }
 
   /**
-   * The ray of a ray generator, from numbers in double: the start is rounded to floats, the direction to a unit
-   * vector of floats. Nothing is checked: numbers that are not finite give a ray that hits nothing.
+   * The ray of a ray generator, from numbers in double: the start is rounded to floats, the direction to a unit vector of
+   * floats. Arguments are not checked: a ray of numbers that are not finite hits nothing.
    *
    * @param startX first coordinate of the starting point
    * @param startY second coordinate of the starting point
@@ -122,8 +122,8 @@ public final class Ray {
   }
 
   /**
-   * The ray of a direction that is a unit vector of floats already: {@link #getDirection()} of another ray.
-   * Nothing is checked.
+   * The ray of a direction that is a unit vector of floats already: {@link #getDirection()} of another ray. Arguments are
+   * not checked.
    *
    * @param startX first coordinate of the starting point
    * @param startY second coordinate of the starting point
@@ -139,8 +139,8 @@ public final class Ray {
   }
 
   /**
-   * The ray of numbers that keep all their digits: a ray in the frame of a transformed object. Only what its
-   * accessors return is rounded. Nothing is checked.
+   * The ray of numbers that are not rounded: a ray in the frame of a transformed object. Only the results of its
+   * accessors are rounded. Arguments are not checked.
    *
    * @param startX first coordinate of the starting point
    * @param startY second coordinate of the starting point
@@ -162,7 +162,7 @@ public final class Ray {
   }
 
   /**
-   * This ray in another frame. Nothing is checked.
+   * This ray in another frame. Arguments are not checked.
    *
    * @param x first coordinate of its start there
    * @param y second coordinate of the start
@@ -170,7 +170,7 @@ public final class Ray {
    * @param dx first component of its direction there, of unit length in double
    * @param dy second component of the direction
    * @param dz third component of the direction
-   * @param stretch length there of what has length 1 along this ray
+   * @param stretch length there of a unit of length along this ray
    * @return the ray, which leaves the same object
    */
   public Ray inFrame(final double x, final double y, final double z, final double dx, final double dy, final double dz,
@@ -190,8 +190,8 @@ public final class Ray {
   }
 
   /**
-   * Whether a hit does not count for this ray, as it is on the surface that the ray leaves: the object is the one that the
-   * ray leaves, the accuracy of its hits is unknown, and the hit is within {@link #blindness()}.
+   * Whether this ray ignores a hit, as one on the surface that it leaves: it is on the object that the ray leaves, the
+   * accuracy of its hits is unknown, and its distance is within {@link #blindness()}.
    *
    * @param hit a hit of this ray
    * @return false for a ray that leaves no object
@@ -201,7 +201,7 @@ public final class Ray {
   }
 
   /**
-   * Distance within which this ray does not hit the object that it leaves.
+   * Distance within which this ray ignores the object that it leaves.
    *
    * @return a distance in scene units; 0 for a ray that leaves no object of unknown accuracy
    */

@@ -10,9 +10,9 @@ import primitives.Vector3D;
 import view.Camera;
 
 /**
- * The rays that a camera sends through the pixels of an image, by the rule of some projection.
+ * The rays that a camera sends through the pixels of an image, by its projection.
  *
- * <p>Columns are numbered from the left and rows from the bottom, both from 0. A new generator writes {@link #getRay} and
+ * <p>Columns are numbered from the left and rows from the bottom, both from 0. A subclass implements {@link #getRay} and
  * nothing else; one that can make many rays at less cost overrides {@link #fill} too.
  */
 public abstract class RayGenerator {
@@ -22,7 +22,7 @@ public abstract class RayGenerator {
   private final int H;
 
   /**
-   * The rays of a camera for an image of a resolution.
+   * The rays of a camera for an image of W × H pixels.
    *
    * @param camera the camera
    * @param W width of the image in pixels, at least 1
@@ -48,10 +48,10 @@ public abstract class RayGenerator {
   /**
    * Fills a tile with the rays of a rectangle of pixels: those that {@link #getRay} returns, bit for bit.
    *
-   * @param tile the tile, opened for the size of the rectangle; who calls closes it
+   * @param tile the tile, opened for the size of the rectangle; the caller closes it
    * @param m column of its first pixel
-   * @param n row of its first pixel; rows of the tile go upwards as those of the image do
-   * @throws IllegalArgumentException if the tile is null or reaches out of the image
+   * @param n row of its first pixel; rows of the tile count upwards, as those of the image do
+   * @throws IllegalArgumentException if the tile is null or extends beyond the image
    */
   public void fill(final RayTile tile, final int m, final int n) {
     checkTile(tile, m, n);
@@ -87,7 +87,7 @@ public abstract class RayGenerator {
    * @param tile the tile
    * @param m column of its first pixel
    * @param n row of its first pixel
-   * @throws IllegalArgumentException if the tile is null or reaches out of the image
+   * @throws IllegalArgumentException if the tile is null or extends beyond the image
    */
   protected final void checkTile(final RayTile tile, final int m, final int n) {
     notNull("tile", tile);

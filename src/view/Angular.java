@@ -16,7 +16,7 @@ public class Angular extends Projection {
   /**
    * A fish-eye.
    *
-   * @param omega full opening of the field of view in degrees, 0 &lt; ω &lt; 180
+   * @param omega full angle of view in degrees, 0 &lt; ω &lt; 180
    * @throws IllegalArgumentException if ω is out of its range
    */
   public Angular(final float omega) {

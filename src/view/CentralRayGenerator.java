@@ -4,7 +4,7 @@ import acceleration.RayTile;
 import tracer.Ray;
 import tracer.RayGenerator;
 
-/** Rays from the camera through the points (x, y, z) of its frame, z being what the projection says at (x, y). */
+/** Rays from the camera through the points (x, y, z) of its frame, z being given by {@link Projection#zAt}. */
 abstract class CentralRayGenerator extends RayGenerator {
 
   final Projection projection;

@@ -7,13 +7,13 @@ import tracer.Ray;
 import tracer.RayGenerator;
 
 /**
- * The projection {@code angular} of scene files: a fish-eye with an opening of up to 180°, which {@link Angular} cannot
- * have, since its window is the tangent of half the opening.
+ * The projection {@code angular} of scene files: a fish-eye of up to 180°. {@link Angular} cannot reach that, as its
+ * window is the tangent of half the angle.
  *
- * <p>The scene is seen through a cap of the unit sphere about the camera. The window is square, w = h = 2 sin(fov/2),
- * and the pixel at (x, y) looks through the point of the cap in front of it, along (x, y, −√(1 − x² − y²)). These are the
- * rays of {@link Angular}, and for openings below 180° the picture is the same. Pixels outside the circle
- * x² + y² ≤ sin²(fov/2) have no ray and get the background colour, like all others that show nothing.
+ * <p>The scene is seen through a cap of the unit sphere about the camera. The window is square, w = h = 2 sin(fov/2), and
+ * the pixel at (x, y) looks through the point of the cap in front of it, along (x, y, −√(1 − x² − y²)). These are the
+ * rays of {@link Angular}, and for angles below 180° the picture is the same. Pixels outside the circle x² + y² ≤
+ * sin²(fov/2) have no ray and get the background colour.
  */
 public final class FishEye extends Projection {
 
@@ -50,7 +50,7 @@ public final class FishEye extends Projection {
   /**
    * A fish-eye.
    *
-   * @param fov full opening of the field of view in degrees, 0 &lt; fov ≤ 180
+   * @param fov full angle of view in degrees, 0 &lt; fov ≤ 180
    * @throws IllegalArgumentException if it is out of this range
    */
   public FishEye(final float fov) {
@@ -70,7 +70,7 @@ public final class FishEye extends Projection {
     return new CapRays(holding(camera), W, H, this);
   }
 
-  /** The cap of the unit sphere; with an opening of 180° its rim is at z = −0. */
+  /** The cap of the unit sphere; at 180° its rim is at z = −0. */
   @Override
   public double zAt(final double x, final double y) {
     final double rho2 = x * x + y * y;

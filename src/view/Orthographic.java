@@ -13,10 +13,10 @@ import tracer.RayGenerator;
 public class Orthographic extends Projection {
 
   /**
-   * A parallel projection. Here, and only here, the aspect is height by width.
+   * A parallel projection. Here, and only here, the aspect is height divided by width.
    *
    * @param h height of the window in scene units, &gt; 0
-   * @param aspect height of the window by its width, &gt; 0, so that w = h / aspect
+   * @param aspect height of the window divided by its width, &gt; 0, so that w = h / aspect
    * @throws IllegalArgumentException if an argument is not positive or not finite
    */
   public Orthographic(final float h, final float aspect) {

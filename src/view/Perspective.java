@@ -8,16 +8,16 @@ import acceleration.RayTile;
 import tracer.RayGenerator;
 
 /**
- * The perspective of a pinhole: all rays start where the camera stands. The window lies at distance 1 before it, with
- * h = 2 tan(fov / 2) and w = a h.
+ * The perspective of a pinhole camera: all rays start at its position. The window is at distance 1 in front of it, with h
+ * = 2 tan(fov / 2) and w = a h.
  */
 public class Perspective extends Projection {
 
   /**
    * A perspective.
    *
-   * @param fov vertical opening of the field of view in degrees, 0 &lt; fov &lt; 180
-   * @param aspect width of the window by its height, &gt; 0
+   * @param fov vertical angle of view in degrees, 0 &lt; fov &lt; 180
+   * @param aspect width of the window divided by its height, &gt; 0
    * @throws IllegalArgumentException if an argument is out of its range
    */
   public Perspective(final float fov, final float aspect) {
@@ -38,7 +38,7 @@ public class Perspective extends Projection {
     return -1;
   }
 
-  /** Rays from the camera through the points of the window; a tile makes them by itself, all at once. */
+  /** Rays from the camera through the points of the window; a tile computes them itself, all at once. */
   static class PerspectiveRayGenerator extends CentralRayGenerator {
 
     private final Pencil pencil;

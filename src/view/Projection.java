@@ -35,12 +35,13 @@ public abstract class Projection {
   }
 
   /**
-   * The rule of the projection: at which z, in the camera's frame, the ray of a point of the window goes through (x, y, z).
-   * Rays of the library's projections start in the camera, except parallel ones, which start there.
+   * The rule of the projection: the z, in the camera's frame, at which the ray of the window's point (x, y) passes
+   * through (x, y, z). The rays of the library's projections start at the camera, except parallel ones, which start at
+   * that point.
    *
    * @param x first coordinate of a point of the window, from −w/2 to w/2
    * @param y second coordinate, from −h/2 to h/2
-   * @return z; NaN where there is no ray, and by default everywhere, for a projection whose rays follow another rule
+   * @return z; NaN where there is no ray; by default NaN everywhere, for projections that follow another rule
    */
   public double zAt(final double x, final double y) {
     return Double.NaN;
