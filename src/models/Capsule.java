@@ -77,20 +77,22 @@ public class Capsule extends Object3D {
     final InfiniteCylinder side = new InfiniteCylinder(lx - s * u.ux, ly - s * u.uy, lz - s * u.uz,
         dx - d * u.ux, dy - d * u.uy, dz - d * u.uz, r);
     final double above = side.enter * d - s, below = side.leave * d - s;
-    final double enter = Math.abs(above) <= half ? side.enter : end(lx, ly, lz, dx, dy, dz, Math.copySign(half, above), -1);
-    final double leave = Math.abs(below) <= half ? side.leave : end(lx, ly, lz, dx, dy, dz, Math.copySign(half, below), 1);
+    final double enter = Math.abs(above) <= half ? side.enter
+        : end(lx, ly, lz, dx, dy, dz, Math.copySign(half, above), true);
+    final double leave = Math.abs(below) <= half ? side.leave
+        : end(lx, ly, lz, dx, dy, dz, Math.copySign(half, below), false);
     return enter <= leave && side.enter <= side.leave
         ? Quadratic.firstPositive(enter, leave) : Double.POSITIVE_INFINITY;
   }
 
-  /** Where a line enters (side −1) or leaves (side 1) the sphere at a place along the axis; NaN if it misses. */
+  /** Where a line enters or leaves the sphere at a place along the axis; NaN if it misses. */
   private double end(final double x, final double y, final double z, final double dx, final double dy, final double dz,
-      final double at, final int side) {
+      final double at, final boolean entered) {
     final double lx = x + at * axis.ux, ly = y + at * axis.uy, lz = z + at * axis.uz;
     final double b = lx * dx + ly * dy + lz * dz, c = lx * lx + ly * ly + lz * lz - r * r;
     final double px = lx - b * dx, py = ly - b * dy, pz = lz - b * dz;
     final double root = Math.sqrt(r * r - (px * px + py * py + pz * pz));
-    return side < 0 ? Quadratic.smaller(1, b, c, root) : Quadratic.greater(1, b, c, root);
+    return entered ? Quadratic.smaller(1, b, c, root) : Quadratic.greater(1, b, c, root);
   }
 
   @Override

@@ -20,7 +20,7 @@ final class Quadratic {
 
   /** Greater root; see {@link #smaller}. */
   static double greater(final double a, final double b, final double c, final double sqrtD) {
-    return b > 0 ? (b + sqrtD) / a : b == 0 ? sqrtD / a : c / (b - sqrtD);
+    return b >= 0 ? (b + sqrtD) / a : c / (b - sqrtD);
   }
 
   /** The first of two ordered numbers that is greater than 0; infinity if none is, or if both are NaN. */

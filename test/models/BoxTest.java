@@ -168,5 +168,7 @@ class BoxTest implements Object3DContract {
   @Test
   void textTellsCentreAndSizes() {
     assertEquals("Box(C=(0.0, 0.0, 0.0), w=6.0, h=4.0, d=2.0)", STRAIGHT.toString());
+    assertEquals("Box(C=(7.0, 8.0, 9.0), w=1.0, h=3.0, d=5.0)",
+        new Box(new Point3D(7, 8, 9), new Vector3D(1, 0, 0), new Vector3D(0, 1, 0), 1, 3, 5, Color.RED).toString());
   }
 }

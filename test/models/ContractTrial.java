@@ -168,8 +168,8 @@ final class ContractTrial {
     return a.normalX() * b.normalX() + a.normalY() * b.normalY() + a.normalZ() * b.normalZ();
   }
 
-  /** That two hits of a placed shape agree with each other and with that of the shape where it was at first. */
-  void assertAgree(final RandomPlacement at, final Hit placed, final Hit transformed, final Hit hit) {
+  /** That two hits of a placed shape agree with each other, with their ray, and with that of the shape where it was. */
+  void assertAgree(final RandomPlacement at, final Ray ray, final Hit placed, final Hit transformed, final Hit hit) {
     assertEquals(hit.hits(), placed.hits(), () -> "placed at " + at);
     assertEquals(hit.hits(), transformed.hits(), () -> "transformed to " + at);
     if (!hit.hits()) {
@@ -181,6 +181,10 @@ final class ContractTrial {
       final double across = Math.abs(distanceAlongNormal(placed, other));
       assertTrue(across <= 10 * tolerance, () -> "off the surface by " + across + " in " + at + ": " + placed + ", "
           + other);
+      final double t = other.getT();
+      assertEquals(ray.startX() + t * ray.directionX(), other.pointX(), 10 * tolerance);
+      assertEquals(ray.startY() + t * ray.directionY(), other.pointY(), 10 * tolerance);
+      assertEquals(ray.startZ() + t * ray.directionZ(), other.pointZ(), 10 * tolerance);
       assertTrue(cosine(placed, other) > 1 - 1e-6, () -> "normals in " + at + ": " + placed + ", " + other);
     }
     assertEquals(placed.getT(), at.length(hit.getT()), 0.05 * at.length((float) size) + 1e-3 * placed.getT());

@@ -158,6 +158,28 @@ class CylinderTest implements Object3DContract {
     assertTrue(hits > 500 && hits < 1900, hits + " hits");
   }
 
+  /** Where disc and side meet, rounding decides which of them is hit; the point is that of the rim in either case. */
+  @Test
+  void raysAtTheRimHitItThereIfTheyHit() {
+    final RandomNumbers numbers = new RandomNumbers("rim of a cylinder");
+    int hits = 0;
+    for (int i = 0; i < 2000; i++) {
+      final double r = numbers.magnitude(-2, 2), angle = numbers.between(0, 2 * Math.PI);
+      final double x = r * Math.cos(angle), y = r * Math.sin(angle), z = 1.5;
+      final Cylinder cylinder = new Cylinder(new Point3D(), new Vector3D(0, 0, 1), (float) r, 3, Color.RED);
+      final Vector3D v = numbers.direction();
+      final double[] d = CrossingOracle.normalised(v.x - 2 * x / r, v.y - 2 * y / r, -2);
+      final Hit hit = cylinder.intersectionWith(Ray.exactly(x - 10 * d[0], y - 10 * d[1], z - 10 * d[2], d[0], d[1], d[2]));
+      if (hit.hits() && Math.abs(hit.distance() - 10) < 1e-9) {
+        hits++;
+        assertEquals(x, hit.pointX(), 1e-6, () -> hit + ", " + numbers);
+        assertEquals(y, hit.pointY(), 1e-6, () -> hit + ", " + numbers);
+        assertEquals(z, hit.pointZ(), 1e-6, () -> hit + ", " + numbers);
+      }
+    }
+    assertTrue(hits > 500, "hits: " + hits);
+  }
+
   @Test
   void boxIsThatOfTheSlantingDiscs() {
     assertEquals(5, UPRIGHT.getBoundingBox().maxX(), 1e-5);

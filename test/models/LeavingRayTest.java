@@ -44,6 +44,11 @@ class LeavingRayTest {
           new Vector3f(C), new Sphere(new Point3D(0.1f, -0.1f, 0.1f), 1, Color.RED))));
 
   static {
+    MAKERS.put("plane through a far point", (C, u, aux, s) -> {
+      final Point3D far = new Point3D();
+      far.scaleAdd(1e4f * s, aux, C);
+      return new Plane(far, u, Color.RED);
+    });
     MAKERS.put("egg", (C, u, aux, s) -> new Egg(C, u, 0.7f * s, s, 0.3f * s, Color.RED));
     MAKERS.put("needle egg", (C, u, aux, s) -> new Egg(C, u, 0.01f * s, s, 0.8f * s, Color.RED));
     MAKERS.put("blunt egg", (C, u, aux, s) -> new Egg(C, u, s, 0.5f * s, 0.499f * s, Color.RED));

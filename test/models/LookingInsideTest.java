@@ -101,8 +101,45 @@ class LookingInsideTest {
       }
     };
     assertEquals(SphereTrace.End.GIVEN_UP, SphereTrace.of(endless, ALONG_Z).orElseThrow().end());
+    final Ball slow = new Ball(1) {
+      @Override
+      protected float SDF(final Point3D P) {
+        return 1e-5f;
+      }
+
+      @Override
+      protected float distanceUpperBound(final Point3D P) {
+        return 1000;
+      }
+    };
+    assertEquals(SphereTrace.End.GIVEN_UP, SphereTrace.of(slow, ALONG_Z).orElseThrow().end());
+    for (final float size : new float[] {0.01f, 100}) {
+      final Ray beside = new Ray(new Point3D(0, 3 * size, 5 * size), new Vector3D(0, 0, -1));
+      assertEquals(SphereTrace.End.PASSED, SphereTrace.of(new Ball(size), beside).orElseThrow().end());
+    }
     assertTrue(SphereTrace.of(new Sphere(new Point3D(), 1, Color.RED), ALONG_Z).isEmpty());
     assertTrue(SphereTrace.of(new SphereFunction(1), Ray.NORAY).isEmpty());
+  }
+
+  /** Each step lists the distance of the surface from the point of the ray at its t; none is listed twice. */
+  @Test
+  void stepsAreDistancesAtPointsOfTheRay() {
+    final Torus torus = new Torus(new Point3D(0.1f, 0, 0), new Vector3D(1, 2, 3), 1, 0.3f, Color.RED);
+    final RandomNumbers numbers = new RandomNumbers("steps of a march");
+    int steps = 0;
+    for (int i = 0; i < 200; i++) {
+      final Ray ray = new Ray(numbers.pointAbout(new Point3D(), 4), numbers.pointAbout(new Point3D(), 1));
+      double last = -1;
+      for (final SphereTrace.Step step : SphereTrace.of(torus, ray).orElseThrow().steps()) {
+        final double t = step.t();
+        assertTrue(last < 0 ? Math.abs(t) < 1e-12 : t != last, () -> ray + ", " + numbers);
+        assertEquals(torus.signedDistance(ray.startX() + t * ray.directionX(), ray.startY() + t * ray.directionY(),
+            ray.startZ() + t * ray.directionZ()), step.distance(), 1e-12, () -> ray + ", " + numbers);
+        last = Math.max(t, 0);
+        steps++;
+      }
+    }
+    assertTrue(steps > 200, "steps: " + steps);
   }
 
   @Test

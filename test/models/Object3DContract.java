@@ -209,7 +209,8 @@ public interface Object3DContract {
       trial.all((ray, hit) -> {
         if (trial.isSound(ray, hit)) {
           compared[0]++;
-          trial.assertAgree(at, placed.intersectionWith(at.ray(ray)), transformed.intersectionWith(at.ray(ray)), hit);
+          final Ray there = at.ray(ray);
+          trial.assertAgree(at, there, placed.intersectionWith(there), transformed.intersectionWith(there), hit);
         }
       });
       assertTrue(compared[0] > ContractTrial.RAYS / 3, () -> "only " + compared[0] + " rays far enough from an edge");

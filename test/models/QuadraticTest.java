@@ -33,6 +33,7 @@ class QuadraticTest {
     assertEquals(5, Quadratic.firstPositive(-3, 5));
     assertEquals(5, Quadratic.firstPositive(0, 5));
     assertEquals(Double.POSITIVE_INFINITY, Quadratic.firstPositive(-5, -3));
+    assertEquals(Double.POSITIVE_INFINITY, Quadratic.firstPositive(-5, 0));
     assertEquals(Double.POSITIVE_INFINITY, Quadratic.firstPositive(Double.NaN, Double.NaN));
   }
 

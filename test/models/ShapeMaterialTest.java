@@ -36,9 +36,9 @@ class ShapeMaterialTest {
         new Object3D[] {new Sphere(O, 1, CLAY), new Sphere(O, 1, Color.RED)},
         new Object3D[] {new Plane(O, V, CLAY), new Plane(O, V, Color.RED)},
         new Object3D[] {new Triangle(A, B, C, CLAY), new Triangle(A, B, C, Color.RED)},
-        new Object3D[] {new Cylinder(O, V, 1, 2, CLAY), new Cylinder(O, V, 1, 2, Color.RED)},
-        new Object3D[] {new Capsule(O, V, 1, 2, CLAY), new Capsule(O, V, 1, 2, Color.RED)},
-        new Object3D[] {new Box(O, X, V, 1, 2, 3, CLAY), new Box(O, X, V, 1, 2, 3, Color.RED)},
+        new Object3D[] {new Cylinder(O, V, 1.5f, 3, CLAY), new Cylinder(O, V, 1.5f, 3, Color.RED)},
+        new Object3D[] {new Capsule(O, V, 1.5f, 3, CLAY), new Capsule(O, V, 1.5f, 3, Color.RED)},
+        new Object3D[] {new Box(O, X, V, 1.5f, 3, 5, CLAY), new Box(O, X, V, 1.5f, 3, 5, Color.RED)},
         new Object3D[] {new Torus(O, V, 1, 2, CLAY), new Torus(O, V, 1, 2, Color.RED)},
         new Object3D[] {new Ellipsoid(O, X, V, 1, 2, 3, CLAY), new Ellipsoid(O, X, V, 1, 2, 3, Color.RED)},
         new Object3D[] {new Egg(O, V, 1, 3, 2, CLAY), new Egg(O, V, 1, 3, 2, Color.RED)},
@@ -74,6 +74,7 @@ class ShapeMaterialTest {
           final Object3D again = (Object3D) constructor.newInstance(arguments.toArray());
           assertSame(shape.getMaterial(), again.getMaterial());
           assertEquals(shape.getBoundingBox().toString(), again.getBoundingBox().toString());
+          assertEquals(shape.toString(), again.toString());
           made++;
         }
       }

@@ -77,6 +77,7 @@ class TexturedSphereTest {
     assertEquals(0.5f, from(GLOBE, 0, 0, 1).getTexCoord().x);
     assertEquals(0.75f, from(GLOBE, 1, 0, 0).getTexCoord().x, 1e-7f);
     assertEquals(0.25f, from(GLOBE, -1, 0, 0).getTexCoord().x, 1e-7f);
+    assertEquals(0.5f, Math.abs(from(GLOBE, 0, 0, -1).getTexCoord().x - 0.5f), 1e-7f, "the seam is behind");
   }
 
   @Test

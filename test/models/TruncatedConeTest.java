@@ -281,6 +281,9 @@ class TruncatedConeTest implements Object3DContract {
     assertHit(8, new Point3D(1, 1, 2), Z, roll, new Ray(new Point3D(1, 1, 10), new Vector3D(0, 0, -1)));
     assertHit(1, new Point3D(1, 1, -2), new Vector3D(0, 0, -1), roll, new Ray(new Point3D(1, 1, -3), Z));
     assertMiss(roll, new Ray(new Point3D(2, 0.1f, 10), new Vector3D(0, 0, -1)));
+    for (final float z : new float[] {-1.5f, 0, 1.5f}) {
+      assertHit(2 - z, new Point3D(1, 1, 2), Z, roll, new Ray(new Point3D(1, 1, z), Z));
+    }
   }
 
   @Test
