@@ -12,7 +12,7 @@ import primitives.BoundingBox;
 import primitives.Point3D;
 import primitives.Vector3D;
 
-/** The box of a shape in any position is the least about the points of its surface, which are written down here one by one. */
+/** The box of a shape in any position is the least about the points of its surface, which are written down one by one. */
 class BoundsOfShapesTest {
 
   private static final int TRIALS = RandomNumbers.times(200);

@@ -101,7 +101,7 @@ class LookingInsideTest {
       }
     };
     assertEquals(SphereTrace.End.GIVEN_UP, SphereTrace.of(endless, ALONG_Z).orElseThrow().end());
-    final Ball slow = new Ball(1) {
+    final SphereFunction slow = new SphereFunction(1) {
       @Override
       protected float SDF(final Point3D P) {
         return 1e-5f;
@@ -115,7 +115,7 @@ class LookingInsideTest {
     assertEquals(SphereTrace.End.GIVEN_UP, SphereTrace.of(slow, ALONG_Z).orElseThrow().end());
     for (final float size : new float[] {0.01f, 100}) {
       final Ray beside = new Ray(new Point3D(0, 3 * size, 5 * size), new Vector3D(0, 0, -1));
-      assertEquals(SphereTrace.End.PASSED, SphereTrace.of(new Ball(size), beside).orElseThrow().end());
+      assertEquals(SphereTrace.End.PASSED, SphereTrace.of(new SphereFunction(size), beside).orElseThrow().end());
     }
     assertTrue(SphereTrace.of(new Sphere(new Point3D(), 1, Color.RED), ALONG_Z).isEmpty());
     assertTrue(SphereTrace.of(new SphereFunction(1), Ray.NORAY).isEmpty());
