@@ -13,7 +13,7 @@ import tracer.Ray;
  * A surface in the tree of a pixel's light, with what its lights contribute and the rays that leave it.
  *
  * @param surface the surface, its ray and the weight of that
- * @param lights what becomes of each light there; none if the material has only ideal parts
+ * @param lights what becomes of each light there
  * @param branches the ideally reflected and refracted rays
  */
 public record LightNode(LightObserver.Surface surface, List<Lamp> lights, List<Branch> branches) {
@@ -62,7 +62,7 @@ public record LightNode(LightObserver.Surface surface, List<Lamp> lights, List<B
    * Copies the lists.
    *
    * @param surface the surface, its ray and the weight of that
-   * @param lights what becomes of each light there; none if the material has only ideal parts
+   * @param lights what becomes of each light there
    * @param branches the ideally reflected and refracted rays
    */
   public LightNode {

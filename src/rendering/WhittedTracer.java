@@ -205,7 +205,7 @@ final class WhittedTracer {
       report.surface(new LightObserver.Surface(ray, hit, depth, new RadianceRGB(weightR, weightG, weightB),
           material, surface.normal(), surface.isSeenFromOutside()));
     }
-    if (material.scatters()) {
+    if (material.scatters() || report != null) {
       for (int i = 0; i < lights.length; i++) {
         if (illuminate(lights[i], hit)) {
           addLight(i, material);
@@ -263,6 +263,10 @@ final class WhittedTracer {
       if (report != null) {
         report.dark(lights[number], number, LightObserver.Outcome.BEHIND);
       }
+      return;
+    }
+    if (!material.scatters()) {
+      report.dark(lights[number], number, LightObserver.Outcome.NOT_REFLECTED);
       return;
     }
     final double k = Math.abs(ci);

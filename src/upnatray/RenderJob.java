@@ -16,6 +16,7 @@ import rendering.Progress;
 import rendering.RenderPass;
 import rendering.RenderSettings;
 import rendering.Shading;
+import rendering.Supersampling;
 import scenes.SceneFile;
 import tracer.RayGenerator;
 
@@ -134,6 +135,24 @@ public final class RenderJob {
     return new RenderJob(notNull("scene", scene), RenderPass.LIGHT, illumination(scene).ofLight(light), resolution, threads);
   }
 
+  /**
+   * A picture in colours with several rays for each pixel, in a regular grid.
+   *
+   * @param scene the scene, which must not change meanwhile
+   * @param view what the picture is to show; not depth or cost, whose numbers have no mean
+   * @param W its width in pixels, at least 1
+   * @param H its height in pixels, at least 1
+   * @param samples K, 1 … {@value Supersampling#MOST}: a pixel is the mean of K × K rays in linear light
+   * @param threads number of threads, at least 1
+   * @return the job
+   * @throws IllegalArgumentException if the scene or the view is null, if a number is out of range, or if the picture is too
+   *     large
+   */
+  public static RenderJob ofSamples(final SceneFile scene, final RenderPass view, final int W, final int H,
+      final int samples, final int threads) {
+    return of(notNull("scene", scene), notNull("view", view), new Resolution(W, H, samples, 0, H), threads);
+  }
+
   /** A picture with several rays for each pixel, or a band of one. */
   static RenderJob of(final SceneFile scene, final RenderPass view, final Resolution resolution, final int threads) {
     return new RenderJob(scene, view, shading(scene, view), resolution, threads);
@@ -218,6 +237,15 @@ public final class RenderJob {
    */
   public RenderPass view() {
     return view;
+  }
+
+  /**
+   * How many rays make a pixel.
+   *
+   * @return K, for K × K rays
+   */
+  public int samples() {
+    return resolution.samples();
   }
 
   /**

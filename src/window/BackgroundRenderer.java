@@ -12,7 +12,6 @@ import scenes.ReadResult;
 import scenes.SceneFile;
 import scenes.SceneReader;
 import upnatray.RenderJob;
-import rendering.RenderPass;
 
 /** Reads and renders scenes in the background. A new request cancels the rendering in progress. */
 final class BackgroundRenderer {
@@ -26,7 +25,10 @@ final class BackgroundRenderer {
     /** A rendering has started. */
     void started(RenderJob job, ProgressivePicture picture);
 
-    /** A rendering has completed or been cancelled. */
+    /** A rendering has completed, and another with more rays for each pixel of the same picture has started. */
+    void refining(RenderJob job, ProgressivePicture picture);
+
+    /** The last rendering of a picture has completed or been cancelled. */
     void finished(RenderJob job, boolean completed);
 
     /** A rendering has failed: a shape threw an exception, or memory ran out. */
@@ -38,11 +40,11 @@ final class BackgroundRenderer {
    *
    * @param file scene file to read; null if the scene is given
    * @param scene the scene; null if it is to be read from the file
+   * @param options how to render it
    * @param camera a camera to be used in place of that of the scene; null for none
    * @param preview picture to be shown at first, of any size; null for the previous one
    */
-  record RenderRequest(Path file, SceneFile scene, RenderPass view, PictureSize size, int threads, CameraChange camera,
-      BufferedImage preview) {
+  record RenderRequest(Path file, SceneFile scene, PictureOptions options, CameraChange camera, BufferedImage preview) {
 
     boolean showsSameSceneAs(final RenderRequest other) {
       return Objects.equals(file, other.file) && (file != null || scene == other.scene);
@@ -52,6 +54,7 @@ final class BackgroundRenderer {
   private final Listener listener;
   private final LatestOnlyExecutor background = new LatestOnlyExecutor("renderer");
   private RenderRequest latest;
+  private RenderRequest cancelled;
   private RenderJob running;
   private BufferedImage previous;
 
@@ -63,12 +66,13 @@ final class BackgroundRenderer {
     if (latest != null && !request.showsSameSceneAs(latest)) {
       previous = null;
     }
-    latest = request;
     cancel();
+    latest = request;
     background.execute(() -> process(request));
   }
 
   synchronized void cancel() {
+    cancelled = latest;
     if (running != null) {
       running.cancel();
     }
@@ -111,16 +115,37 @@ final class BackgroundRenderer {
   }
 
   private void render(final RenderRequest request, final SceneFile scene) {
-    final int W = request.size.widthOf(scene.width(), scene.height());
-    final int H = request.size.heightOf(scene.width(), scene.height());
-    final RenderJob job = new RenderJob(scene, request.view, W, H, request.threads);
-    final ProgressivePicture picture = begin(request, job);
-    notifyListener(request, () -> listener.started(job, picture));
+    final PictureOptions options = request.options;
+    final int W = options.size().widthOf(scene.width(), scene.height());
+    final int H = options.size().heightOf(scene.width(), scene.height());
+    final RenderJob first = new RenderJob(scene, options.pass(), W, H, options.threads());
+    final ProgressivePicture picture = begin(request, first, request.preview);
+    notifyListener(request, () -> listener.started(first, picture));
+    final boolean completed = run(first, picture);
+    if (completed && options.isRefined()) {
+      refine(request, first);
+    } else {
+      notifyListener(request, () -> listener.finished(first, completed));
+    }
+  }
+
+  /** Renders a picture once more, with more rays for each pixel. */
+  private void refine(final RenderRequest request, final RenderJob first) {
+    final PictureOptions options = request.options;
+    final RenderJob job = RenderJob.ofSamples(first.scene(), options.pass(), first.image().getWidth(),
+        first.image().getHeight(), options.samples(), options.threads());
+    final ProgressivePicture picture = begin(request, job, null);
+    notifyListener(request, () -> listener.refining(job, picture));
+    final boolean completed = run(job, picture);
+    notifyListener(request, () -> listener.finished(job, completed));
+  }
+
+  private static boolean run(final RenderJob job, final ProgressivePicture picture) {
     final boolean completed = job.run(picture);
     if (completed) {
-      picture.tileDone(0, 0, W, H);
+      picture.tileDone(0, 0, job.image().getWidth(), job.image().getHeight());
     }
-    notifyListener(request, () -> listener.finished(job, completed));
+    return completed;
   }
 
   /** A coarse picture in the size of an image. */
@@ -132,16 +157,22 @@ final class BackgroundRenderer {
     return scaled;
   }
 
-  /** The picture that the job fills. If another request has arrived already, the job is cancelled before it runs. */
-  private synchronized ProgressivePicture begin(final RenderRequest request, final RenderJob job) {
+  /** The picture that the job fills. If the request is no longer wanted, the job is cancelled before it runs. */
+  private ProgressivePicture begin(final RenderRequest request, final RenderJob job, final BufferedImage preview) {
     final ProgressivePicture picture = new ProgressivePicture(job.image(),
-        request.preview == null ? previous : scaled(request.preview, job.image()));
-    if (isLatest(request)) {
-      running = job;
-      previous = picture.image();
-    } else {
-      job.cancel();
+        preview == null ? previous() : scaled(preview, job.image()));
+    synchronized (this) {
+      if (isLatest(request) && request != cancelled) {
+        running = job;
+        previous = picture.image();
+      } else {
+        job.cancel();
+      }
     }
     return picture;
+  }
+
+  private synchronized BufferedImage previous() {
+    return previous;
   }
 }

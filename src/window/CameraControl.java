@@ -1,7 +1,5 @@
 package window;
 
-import java.awt.Toolkit;
-import java.awt.datatransfer.StringSelection;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -166,7 +164,7 @@ final class CameraControl {
   }
 
   private void copy(final String text) {
-    Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(text), null);
+    ClipboardCopy.put(text);
     window.status().showText(Messages.text("window.camera.copied", text));
   }
 

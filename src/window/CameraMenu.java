@@ -24,11 +24,11 @@ final class CameraMenu {
     menu.add(Command.of("camera.narrower", "shift PAGE_UP", () -> camera.widen(1 / FACTOR)));
     menu.addSeparator();
     for (final CameraPose.Optics kind : CameraPose.Optics.values()) {
-      menu.add(Command.of("camera." + kind, "", () -> camera.setProjection(kind)));
+      menu.add(Command.of("camera." + kind, "ctrl shift " + (kind.ordinal() + 1), () -> camera.setProjection(kind)));
     }
     menu.addSeparator();
-    menu.add(Command.of("camera.copyXml", "", camera::copyXml));
-    menu.add(Command.of("camera.copyJava", "", camera::copyJava));
+    menu.add(Command.of("camera.copyXml", "ctrl shift X", camera::copyXml));
+    menu.add(Command.of("camera.copyJava", "ctrl shift J", camera::copyJava));
     menu.add(Command.ofMenu("camera.write", KeyEvent.VK_W, camera::write));
     menu.add(Command.ofMenu("camera.undo", KeyEvent.VK_Z, camera::undo));
   }

@@ -1,49 +1,39 @@
 package window;
 
-import java.awt.BorderLayout;
-import java.awt.FlowLayout;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 
-import javax.swing.JButton;
-import javax.swing.JDialog;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
-import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
 import arguments.Messages;
-import inspection.Inspection;
-import inspection.Intersection;
-import inspection.LightRays;
-import inspection.Wireframe;
 import rendering.RenderPass;
-import tracer.Hit;
 import upnatray.PngFile;
 import upnatray.RenderJob;
 import upnatray.SaveException;
 
-/** The dialogs of the window: file choosers, the comparison with a reference and the wireframe view. */
+/** The dialogs of the window: file choosers, the comparison with a reference, the lights and the wireframe view. */
 final class Dialogs {
 
   private final RenderWindow window;
-  private final WireframeView wireframe = new WireframeView();
+  private final WireframeDialog wireframe;
   private final LatestOnlyExecutor reading = new LatestOnlyExecutor("reference");
-  private JDialog wireframeDialog;
+  private final LatestOnlyExecutor listing = new LatestOnlyExecutor("list of lights");
   private Comparison comparison;
   private LightsDialog lights;
 
   Dialogs(final RenderWindow window) {
     this.window = window;
+    this.wireframe = new WireframeDialog(window);
   }
 
   void chooseScene() {
@@ -155,14 +145,22 @@ final class Dialogs {
     }
   }
 
-  /** Opens the list of lights, if the picture that is shown is a lit one. */
+  /** Opens the list of lights, once these have been asked where they are, if the picture that is shown is a lit one. */
   void showLights(final RenderJob job) {
     closeLights();
-    if (job.scene().isLit() && job.view() == RenderPass.COLOUR) {
-      lights = new LightsDialog(window, job);
-    } else {
+    if (!job.scene().isLit() || job.view() != RenderPass.COLOUR) {
       window.status().showText(Messages.text("window.lights.notLit"));
+      return;
     }
+    listing.execute(() -> {
+      final List<String> names = LightsDialog.names(job.scene());
+      SwingUtilities.invokeLater(() -> {
+        if (window.shows(job)) {
+          closeLights();
+          lights = new LightsDialog(window, job, names);
+        }
+      });
+    });
   }
 
   /** Closes the list of lights: another picture is shown. */
@@ -173,47 +171,20 @@ final class Dialogs {
     }
   }
 
-  /** Opens the wireframe view. */
-  void showWireframe(final RenderJob job) {
-    wireframe.setLines(Wireframe.of(job.scene(), job.image().getWidth(), job.image().getHeight()));
-    if (wireframeDialog == null) {
-      wireframeDialog = new JDialog(window.frame(), Messages.text("window.wireframe.text"));
-      wireframeDialog.setName("wireframeDialog");
-      final JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING));
-      buttons.add(new JButton(Command.of("wireframe.save", "", this::saveWireframe))).setName("wireframe.save");
-      wireframeDialog.add(wireframe, BorderLayout.CENTER);
-      wireframeDialog.add(buttons, BorderLayout.SOUTH);
-      wireframeDialog.pack();
-      wireframeDialog.setLocationRelativeTo(window.frame());
-      WindowPlacement.fit(wireframeDialog);
-      WireframeKeys.bind(wireframe, wireframeDialog::dispose);
-    }
-    wireframeDialog.setVisible(true);
+  void chooseDrawing(final WireframeView drawing) {
+    choose("wireframe.save", "png", false, "wireframe.png").ifPresent(file -> saveAs(drawing.image(), file));
   }
 
-  private void saveWireframe() {
-    choose("wireframe.save", "png", false, "wireframe.png").ifPresent(file -> saveAs(wireframe.image(), file));
-  }
-
-  /** Shows the ray of the pinned pixel in the wireframe view, if that is open. */
-  void showRay(final RenderJob job, final Inspection inspection) {
-    if (wireframeDialog != null && wireframeDialog.isVisible()) {
-      final Hit hit = inspection.winner().map(Intersection::hit).orElse(Hit.NOHIT);
-      final List<Wireframe.Line> lines = new ArrayList<>(Wireframe.of(job.scene(), job.image().getWidth(),
-          job.image().getHeight(), inspection.pixel().ray(), hit));
-      inspection.light().ifPresent(light -> lines.addAll(LightRays.of(light.root(), hit.getT())));
-      wireframe.setLines(lines);
-    }
-  }
-
-  WireframeView wireframe() {
+  WireframeDialog wireframeDialog() {
     return wireframe;
   }
 
+  WireframeView wireframe() {
+    return wireframe.view();
+  }
+
   void close() {
-    if (wireframeDialog != null) {
-      wireframeDialog.dispose();
-    }
+    wireframe.close();
     endComparison();
     closeLights();
   }

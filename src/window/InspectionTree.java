@@ -38,12 +38,21 @@ final class InspectionTree {
   private InspectionTree() {
   }
 
-  static DefaultMutableTreeNode of(final Inspection inspection, final Map<Object3D, String> names) {
+  /**
+   * The lines of an inspection. Objects are asked for their text and their colour, so this may take long.
+   *
+   * @param names names of objects in the scene file
+   * @param samples K, where a pixel of the picture is the mean of K × K rays
+   */
+  static DefaultMutableTreeNode of(final Inspection inspection, final Map<Object3D, String> names, final int samples) {
     final PixelRay pixel = inspection.pixel();
     final DefaultMutableTreeNode root = node("inspect.pixel", pixel.m(), pixel.n(), pixel.W(), pixel.H());
     root.add(ray(pixel));
     root.add(intersections(inspection));
     final DefaultMutableTreeNode colour = colour(inspection);
+    if (samples > 1) {
+      colour.add(node("inspect.samples", samples));
+    }
     inspection.light().ifPresent(light -> new LightLines(light, names).addTo(colour));
     if (inspection.light().isPresent()) {
       root.insert(colour, 0);

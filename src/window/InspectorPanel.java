@@ -3,13 +3,11 @@ package window;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
-import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.MouseEvent;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 
@@ -31,7 +29,6 @@ import inspection.Intersection;
 import inspection.JUnitTestWriter;
 import inspection.LitPixelTestWriter;
 import inspection.Wireframe;
-import models.Object3D;
 
 /** Shows the inspection of the pinned pixel. */
 final class InspectorPanel extends JPanel {
@@ -56,12 +53,14 @@ final class InspectorPanel extends JPanel {
   private final SphereTracePlot plot = new SphereTracePlot();
   private final JButton copy = new JButton(Messages.text("window.copyTest.text"));
   private final PolarPlot polar = new PolarPlot();
+  private final transient ClipboardCopy copying;
   private transient Consumer<List<Wireframe.Line>> rayListener = rays -> { };
   private transient Inspection inspection;
   private transient Path file;
 
-  InspectorPanel() {
+  InspectorPanel(final ClipboardCopy copying) {
     super(new BorderLayout(0, 4));
+    this.copying = copying;
     setName("inspector");
     setPreferredSize(new Dimension(420, 400));
     setBorder(BorderFactory.createEmptyBorder(6, 8, 6, 8));
@@ -128,10 +127,15 @@ final class InspectorPanel extends JPanel {
     heading.setText(why);
   }
 
-  void show(final Inspection next, final Map<Object3D, String> names, final Path sceneFile) {
+  /**
+   * Shows an inspection.
+   *
+   * @param root its lines
+   * @param sceneFile the file of the scene; null if it has none
+   */
+  void show(final Inspection next, final DefaultMutableTreeNode root, final Path sceneFile) {
     inspection = next;
     file = sceneFile;
-    final DefaultMutableTreeNode root = InspectionTree.of(next, names);
     heading.setText(root.toString());
     swatch.setBackground(new Color(next.argb()));
     swatch.setToolTipText(InspectionTree.colour(next.argb()));
@@ -222,12 +226,14 @@ final class InspectorPanel extends JPanel {
 
   /** Puts a test on the clipboard: of the selected intersection, or of the light of a lit pixel of a scene file. */
   void copyTest() {
-    if (inspection != null && inspection.light().isPresent() && file != null && !isIntersectionSelected()) {
-      Toolkit.getDefaultToolkit().getSystemClipboard()
-          .setContents(new StringSelection(LitPixelTestWriter.of(inspection, file)), null);
+    final Inspection shown = inspection;
+    final Path scene = file;
+    final String message = Messages.text("window.status.testCopied");
+    if (shown != null && shown.light().isPresent() && scene != null && !isIntersectionSelected()) {
+      copying.copy(() -> new StringSelection(LitPixelTestWriter.of(shown, scene)), message);
       return;
     }
-    selected().ifPresent(intersection -> Toolkit.getDefaultToolkit().getSystemClipboard()
-        .setContents(new StringSelection(JUnitTestWriter.of(inspection, intersection)), null));
+    selected().ifPresent(intersection -> copying.copy(
+        () -> new StringSelection(JUnitTestWriter.of(shown, intersection)), message));
   }
 }

@@ -46,7 +46,12 @@ final class LatestOnlyExecutor {
 
   private void work() {
     for (Runnable job = take(); job != null; job = take()) {
-      job.run();
+      try {
+        job.run();
+      } catch (final RuntimeException | Error failure) {
+        final Thread thread = Thread.currentThread();
+        thread.getUncaughtExceptionHandler().uncaughtException(thread, failure);
+      }
     }
   }
 

@@ -63,9 +63,6 @@ final class LightLines {
         new RayLine(List.of(LightRays.of(node)), node, Optional.empty(), text));
     root.add(line("light.material", node.surface().material().getClass().getSimpleName(),
         Messages.text(node.surface().isOutside() ? "window.light.outside" : "window.light.inside")));
-    if (node.lights().isEmpty() && !node.surface().material().scatters()) {
-      root.add(line("light.onlyIdeal"));
-    }
     for (final LightNode.Lamp lamp : node.lights()) {
       root.add(lamp(node, lamp));
     }
@@ -85,7 +82,8 @@ final class LightLines {
     final boolean blocked = given.outcome() == LightObserver.Outcome.BLOCKED;
     final String first = blocked ? lamp.blocker().map(by -> name(by.object())).orElse("?") : text(given.radiance());
     final String point = lamp.blocker().map(by -> Numbers.text(by.point())).orElse("?");
-    final String outcome = Messages.text("window.light." + given.outcome(), first, point);
+    final boolean isIdeal = given.outcome() == LightObserver.Outcome.NOT_REFLECTED && !node.surface().material().scatters();
+    final String outcome = Messages.text("window.light." + (isIdeal ? "onlyIdeal" : given.outcome()), first, point);
     final String text = Messages.text("window.light.lamp", given.number() + 1, given.light().getClass().getSimpleName(),
         outcome);
     final DefaultMutableTreeNode line = new DefaultMutableTreeNode(

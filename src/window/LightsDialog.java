@@ -3,6 +3,8 @@ package window;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.FlowLayout;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.EnumMap;
@@ -27,6 +29,7 @@ import javax.swing.SwingUtilities;
 import arguments.Messages;
 import inspection.Numbers;
 import lights.Light;
+import scenes.SceneFile;
 import upnatray.RenderJob;
 
 /** Switches the lights of the picture on and off, and limits the depth of recursion; what was rendered once is kept. */
@@ -42,8 +45,12 @@ final class LightsDialog {
   private final LatestOnlyExecutor background = new LatestOnlyExecutor("lights");
   private volatile Object request;
 
-  /** Opens for the lit picture that a window shows. */
-  LightsDialog(final RenderWindow window, final RenderJob job) {
+  /**
+   * Opens for the lit picture that a window shows.
+   *
+   * @param names names of its lights
+   */
+  LightsDialog(final RenderWindow window, final RenderJob job, final List<String> names) {
     this.window = window;
     this.job = job;
     this.mixer = new LightMixer(job.scene(), job.image().getWidth(), job.image().getHeight());
@@ -56,60 +63,80 @@ final class LightsDialog {
     depth.setSnapToTicks(true);
     depth.setEnabled(job.scene().recursionDepth() > 0);
     depth.addChangeListener(event -> mix());
-    layOut();
+    layOut(names);
     dialog.setLocation(window.frame().getX() + 60, window.frame().getY() + 120);
     WindowPlacement.fit(dialog);
     dialog.setVisible(true);
   }
 
-  private void layOut() {
-    final JPanel list = new JPanel();
-    list.setLayout(new BoxLayout(list, BoxLayout.Y_AXIS));
-    int number = 0;
-    for (final Light light : job.scene().lights().getLights()) {
-      final JCheckBox box = new JCheckBox(Messages.text("window.lights.light", ++number, light.getClass().getSimpleName(),
-          Numbers.text(light.getPosition())), true);
-      box.setName("lights." + number);
-      box.addActionListener(event -> mix());
-      boxes.add(box);
-      list.add(box);
+  /** Names the lights of a scene by number, class and position. */
+  static List<String> names(final SceneFile scene) {
+    final List<String> names = new ArrayList<>();
+    for (final Light light : scene.lights().getLights()) {
+      names.add(Messages.text("window.lights.light", names.size() + 1, light.getClass().getSimpleName(),
+          Numbers.text(light.getPosition())));
     }
-    final JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING));
-    final Command close = Command.of("lights.close", "ESCAPE", this::close);
-    buttons.add(new JButton(Command.of("lights.all", "", () -> setAll(true))));
-    buttons.add(new JButton(Command.of("lights.none", "", () -> setAll(false))));
-    buttons.add(new JButton(close)).setName("lights.close");
-    final JPanel switches = new JPanel(new FlowLayout(FlowLayout.LEADING));
-    for (final SelectiveSum.Effect effect : SelectiveSum.Effect.values()) {
-      final JCheckBox box = new JCheckBox(Messages.text("window.lights." + effect), true);
-      box.setName("lights." + effect);
-      box.addActionListener(event -> mix());
-      effects.put(effect, box);
-      switches.add(box);
-    }
-    final JPanel bottom = new JPanel(new BorderLayout(8, 0));
-    bottom.add(switches, BorderLayout.NORTH);
-    final JLabel label = new JLabel(Messages.text("window.lights.depth"));
-    label.setLabelFor(depth);
-    bottom.add(label, BorderLayout.WEST);
-    bottom.add(depth, BorderLayout.CENTER);
-    bottom.add(buttons, BorderLayout.SOUTH);
+    return names;
+  }
+
+  private void layOut(final List<String> names) {
     final JPanel all = new JPanel(new BorderLayout(4, 8));
     all.setBorder(BorderFactory.createEmptyBorder(8, 12, 6, 12));
-    final JScrollPane pane = new JScrollPane(list);
-    final Dimension size = list.getPreferredSize();
-    pane.setPreferredSize(new Dimension(size.width + 24, Math.min(260, size.height + 8)));
-    all.add(pane, BorderLayout.CENTER);
-    all.add(bottom, BorderLayout.SOUTH);
+    all.add(list(names), BorderLayout.CENTER);
+    all.add(bottom(), BorderLayout.SOUTH);
     dialog.add(all);
-    dialog.getRootPane().registerKeyboardAction(close, KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_IN_FOCUSED_WINDOW);
-    dialog.addWindowListener(new java.awt.event.WindowAdapter() {
+    dialog.getRootPane().registerKeyboardAction(event -> close(), KeyStroke.getKeyStroke("ESCAPE"),
+        JComponent.WHEN_IN_FOCUSED_WINDOW);
+    dialog.addWindowListener(new WindowAdapter() {
       @Override
-      public void windowClosing(final java.awt.event.WindowEvent event) {
+      public void windowClosing(final WindowEvent event) {
         close();
       }
     });
     dialog.pack();
+  }
+
+  private JScrollPane list(final List<String> names) {
+    final JPanel list = new JPanel();
+    list.setLayout(new BoxLayout(list, BoxLayout.Y_AXIS));
+    for (final String name : names) {
+      final JCheckBox box = checkBox(name, String.valueOf(boxes.size() + 1));
+      boxes.add(box);
+      list.add(box);
+    }
+    final JScrollPane pane = new JScrollPane(list);
+    final Dimension size = list.getPreferredSize();
+    pane.setPreferredSize(new Dimension(size.width + 24, Math.min(260, size.height + 8)));
+    return pane;
+  }
+
+  private JCheckBox checkBox(final String text, final String name) {
+    final JCheckBox box = new JCheckBox(text, true);
+    box.setName("lights." + name);
+    box.addActionListener(event -> mix());
+    return box;
+  }
+
+  private JPanel bottom() {
+    final JPanel switches = new JPanel(new FlowLayout(FlowLayout.LEADING));
+    for (final SelectiveSum.Effect effect : SelectiveSum.Effect.values()) {
+      final JCheckBox box = checkBox(Messages.text("window.lights." + effect), effect.name());
+      effects.put(effect, box);
+      switches.add(box);
+    }
+    final JPanel buttons = new JPanel(new FlowLayout(FlowLayout.TRAILING));
+    for (final Command command : List.of(Command.of("lights.all", "", () -> setAll(true)),
+        Command.of("lights.none", "", () -> setAll(false)), Command.of("lights.close", "ESCAPE", this::close))) {
+      buttons.add(new JButton(command)).setName(command.key());
+    }
+    final JPanel bottom = new JPanel(new BorderLayout(8, 0));
+    final JLabel label = new JLabel(Messages.text("window.lights.depth"));
+    label.setLabelFor(depth);
+    bottom.add(switches, BorderLayout.NORTH);
+    bottom.add(label, BorderLayout.WEST);
+    bottom.add(depth, BorderLayout.CENTER);
+    bottom.add(buttons, BorderLayout.SOUTH);
+    return bottom;
   }
 
   private void setAll(final boolean on) {
@@ -138,7 +165,7 @@ final class LightsDialog {
     background.execute(() -> {
       final var picture = mixer.mix(on, levels, omitted, () -> request != mine);
       SwingUtilities.invokeLater(() -> {
-        if (request == mine && picture != null && window.job() == job) {
+        if (request == mine && picture != null && window.shows(job)) {
           window.view().setPreview(picture);
         }
       });
@@ -148,7 +175,7 @@ final class LightsDialog {
   void close() {
     request = null;
     background.stop();
-    if (window.job() == job) {
+    if (window.shows(job)) {
       window.view().setPreview(null);
     }
     dialog.dispose();

@@ -3,6 +3,7 @@ package window;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.EnumMap;
+import java.util.HashMap;
 import java.util.Map;
 
 import javax.swing.ButtonGroup;
@@ -12,6 +13,7 @@ import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
+import javax.swing.KeyStroke;
 
 import arguments.Messages;
 import rendering.RenderPass;
@@ -26,6 +28,7 @@ final class MenuBar extends JMenuBar {
   private final transient RenderWindow window;
   private final JMenu recent = menu("recent");
   private final Map<RenderPass, JMenuItem> passes = new EnumMap<>(RenderPass.class);
+  private final Map<Integer, JMenuItem> samples = new HashMap<>();
 
   MenuBar(final RenderWindow window) {
     this.window = window;
@@ -85,6 +88,7 @@ final class MenuBar extends JMenuBar {
       group.add(item);
       passes.put(pass, menu.add(item));
     }
+    menu.add(samplesMenu());
     menu.addSeparator();
     menu.add(Command.ofMenu("fit", KeyEvent.VK_0, window.view()::fit));
     menu.add(Command.ofMenu("oneToOne", KeyEvent.VK_1, window.view()::oneToOne));
@@ -99,6 +103,20 @@ final class MenuBar extends JMenuBar {
     return menu;
   }
 
+  private JMenu samplesMenu() {
+    final JMenu menu = menu("samples");
+    final ButtonGroup group = new ButtonGroup();
+    for (final int K : ToolBar.SAMPLES) {
+      final JMenuItem item = new JRadioButtonMenuItem(ToolBar.samplesText(K), K == window.session().samples());
+      item.setAccelerator(KeyStroke.getKeyStroke("alt shift " + K));
+      item.setToolTipText(Messages.text("window.samples.tip"));
+      item.addActionListener(event -> window.setSamples(K));
+      group.add(item);
+      samples.put(K, menu.add(item));
+    }
+    return menu;
+  }
+
   private JMenu pixelMenu() {
     final JMenu menu = menu("pixel");
     menu.add(Command.of("pin", "ctrl P", () -> window.view().pinNeighbour(0, 0)));
@@ -110,6 +128,11 @@ final class MenuBar extends JMenuBar {
   /** Marks the current pass. */
   void select(final RenderPass pass) {
     passes.get(pass).setSelected(true);
+  }
+
+  /** Marks the current number of samples. */
+  void selectSamples(final int K) {
+    samples.get(K).setSelected(true);
   }
 
   /** Binds the keys of the focused picture: arrows pin the neighbouring pixel, with shift they pan the picture. */

@@ -86,6 +86,13 @@ final class PictureView extends Drawing {
     changed();
   }
 
+  /** Shows another picture of the same size and content. Rays and a preview shown over it are kept. */
+  void refine(final BufferedImage next) {
+    picture = next;
+    overlay = null;
+    repaint();
+  }
+
   private void changed() {
     firePropertyChange("zoom", -1.0, zoom().scale());
     repaint();
@@ -115,6 +122,11 @@ final class PictureView extends Drawing {
   void setPreview(final BufferedImage next) {
     preview = next;
     repaint();
+  }
+
+  /** What is shown in place of the picture; null if it is the picture. */
+  BufferedImage preview() {
+    return preview;
   }
 
   /** Shows projected rays over the picture. */

@@ -4,6 +4,7 @@ import java.awt.Point;
 
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
+import javax.swing.tree.DefaultMutableTreeNode;
 
 import arguments.Messages;
 import inspection.Inspection;
@@ -32,7 +33,8 @@ final class PixelInspections {
     background.execute(() -> {
       try {
         final Inspection inspection = new Inspector(job.scene(), W, H).inspect(m, n);
-        SwingUtilities.invokeLater(() -> succeeded(request, job, inspection));
+        final DefaultMutableTreeNode lines = InspectionTree.of(inspection, job.scene().names(), job.samples());
+        SwingUtilities.invokeLater(() -> succeeded(request, job, inspection, lines));
       } catch (final RuntimeException | Error failure) {
         SwingUtilities.invokeLater(() -> failed(request, failure));
       }
@@ -46,11 +48,12 @@ final class PixelInspections {
     timer.start();
   }
 
-  private void succeeded(final Object request, final RenderJob job, final Inspection inspection) {
+  private void succeeded(final Object request, final RenderJob job, final Inspection inspection,
+      final DefaultMutableTreeNode lines) {
     if (pending == request) {
       pending = null;
-      window.inspector().show(inspection, job.scene().names(), window.session().file());
-      window.dialogs().showRay(job, inspection);
+      window.inspector().show(inspection, lines, window.session().file());
+      window.dialogs().wireframeDialog().showRay(job, inspection);
     }
   }
 

@@ -12,6 +12,8 @@ import java.awt.geom.Path2D;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 
+import javax.swing.SwingUtilities;
+
 import arguments.Messages;
 import inspection.BrdfSlice;
 import radiometry.RadianceRGB;
@@ -28,6 +30,8 @@ final class PolarPlot extends Drawing {
   private static final Color LIGHT = new Color(0xe08a00);
   private static final Color VIEWER = new Color(0xd000b0);
 
+  private final transient LatestOnlyExecutor background = new LatestOnlyExecutor("BRDF");
+  private transient Object request;
   private transient BrdfSlice slice;
   private double viewer;
 
@@ -40,15 +44,30 @@ final class PolarPlot extends Drawing {
   }
 
   void clear() {
+    request = null;
     slice = null;
     setVisible(false);
   }
 
-  /** Shows the material of a surface for a light there. */
+  /** Shows the material of a surface for a light there, once it has been evaluated. */
   void show(final LightObserver.Surface surface, final LightObserver.Contribution light) {
-    slice = BrdfSlice.of(surface.material(), light.cosine(), surface.isOutside());
+    final Object mine = new Object();
+    request = mine;
+    background.execute(() -> {
+      final BrdfSlice evaluated = BrdfSlice.of(surface.material(), light.cosine(), surface.isOutside());
+      SwingUtilities.invokeLater(() -> {
+        if (request == mine) {
+          show(evaluated, surface);
+        }
+      });
+    });
+  }
+
+  private void show(final BrdfSlice evaluated, final LightObserver.Surface surface) {
+    slice = evaluated;
     viewer = Math.acos(Math.min(1, Math.abs(surface.normal().dot(surface.ray().getDirection()))));
     setVisible(true);
+    revalidate();
     repaint();
   }
 

@@ -40,6 +40,12 @@ final class RenderPresenter implements BackgroundRenderer.Listener {
     return running;
   }
 
+  /** Whether the window shows the picture of a job, perhaps refined. */
+  boolean shows(final RenderJob other) {
+    return job != null && job.scene() == other.scene() && job.view() == other.view()
+        && job.image().getWidth() == other.image().getWidth() && job.image().getHeight() == other.image().getHeight();
+  }
+
   /** Drops the rendering: another scene is being opened. */
   void reset() {
     job = null;
@@ -83,6 +89,17 @@ final class RenderPresenter implements BackgroundRenderer.Listener {
     updates.start();
   }
 
+  /** What was pinned in the picture can be inspected already, while it is refined. */
+  @Override
+  public void refining(final RenderJob next, final ProgressivePicture nextPicture) {
+    showProgress();
+    job = next;
+    picture = nextPicture;
+    stall = new StallDetector();
+    window.view().refine(nextPicture.image());
+    repeatInspection();
+  }
+
   /** Shows the pixels rendered since the last update. */
   private void showProgress() {
     if (picture != null) {
@@ -98,10 +115,14 @@ final class RenderPresenter implements BackgroundRenderer.Listener {
   public void finished(final RenderJob ended, final boolean completed) {
     showProgress();
     end(StatusBar.finished(ended, completed));
+    repeatInspection();
+    window.dialogs().renderingFinished();
+  }
+
+  private void repeatInspection() {
     if (window.view().pinned() != null) {
       window.view().pin(window.view().pinned());
     }
-    window.dialogs().renderingFinished();
   }
 
   @Override

@@ -7,11 +7,10 @@ import static arguments.Arguments.wrongState;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Frame;
-import java.awt.Toolkit;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.awt.image.BufferedImage;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
@@ -19,7 +18,6 @@ import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 
 import arguments.Messages;
-import inspection.Wireframe;
 import models.Group3D;
 import rendering.RenderPass;
 import scenes.SceneFile;
@@ -35,7 +33,8 @@ public final class RenderWindow {
   private final Settings settings;
   private final JFrame frame = new JFrame();
   private final PictureView view = new PictureView(new PixelPointer(this));
-  private final InspectorPanel inspector = new InspectorPanel();
+  private final ClipboardCopy copying = new ClipboardCopy(text -> status().showText(text));
+  private final InspectorPanel inspector = new InspectorPanel(copying);
   private final ProblemTable problems = new ProblemTable();
   private final LegendView legend = new LegendView();
   private final RenderPresenter presenter = new RenderPresenter(this);
@@ -45,7 +44,6 @@ public final class RenderWindow {
   private final StatusBar status = new StatusBar(cancel);
   private final CameraControl camera = new CameraControl(this);
   private final Dialogs dialogs = new Dialogs(this);
-  private final LatestOnlyExecutor projecting = new LatestOnlyExecutor("rays");
   private final Session session;
   private final ToolBar toolBar;
   private final MenuBar menus;
@@ -56,7 +54,7 @@ public final class RenderWindow {
     this.toolBar = new ToolBar(this);
     this.menus = new MenuBar(this);
     view.setCamera(camera);
-    inspector.setRayListener(this::showRays);
+    inspector.setRayListener(new SelectedRays(this)::show);
     cancel.setEnabled(false);
     render.setEnabled(false);
     layOut();
@@ -163,30 +161,23 @@ public final class RenderWindow {
     session.setSize(next);
   }
 
+  /** Sets K, for K × K rays a pixel. */
+  void setSamples(final int next) {
+    menus.selectSamples(next);
+    toolBar.selectSamples(next);
+    session.setSamples(next);
+  }
+
   void unpin() {
     inspections.discard();
     view.unpin();
     inspector.clear();
   }
 
-  /** Shows rays in the picture and in the wireframe view. */
-  private void showRays(final List<Wireframe.Line> rays) {
-    dialogs.wireframe().setSelected(rays);
-    if (job() == null || rays.isEmpty()) {
-      projecting.execute(() -> SwingUtilities.invokeLater(() -> view.setRays(RayOverlay.NONE)));
-      return;
-    }
-    final RenderJob shown = job();
-    projecting.execute(() -> {
-      final RayOverlay overlay = RayOverlay.of(rays, shown.scene(), shown.image().getWidth(), shown.image().getHeight());
-      SwingUtilities.invokeLater(() -> view.setRays(shown == job() ? overlay : RayOverlay.NONE));
-    });
-  }
-
   void copyPicture() {
     if (view.hasPicture()) {
-      Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new PictureClip(view.picture()), null);
-      status.showText(Messages.text("window.status.copied"));
+      final BufferedImage picture = view.picture();
+      copying.copy(() -> new PictureClip(picture), Messages.text("window.status.copied"));
     }
   }
 
@@ -204,7 +195,7 @@ public final class RenderWindow {
 
   void showWireframe() {
     if (job() != null) {
-      dialogs.showWireframe(job());
+      dialogs.wireframeDialog().show(job());
       if (view.pinned() != null) {
         inspections.inspect(job(), view.pinned());
       }
@@ -229,7 +220,7 @@ public final class RenderWindow {
     if (!settings.isMaximized()) {
       settings.setBounds(frame.getBounds());
     }
-    settings.save();
+    new Thread(settings::save, "settings").start();
     session.stop();
     presenter.stop();
     camera.stop();
@@ -291,6 +282,11 @@ public final class RenderWindow {
 
   boolean isRunning() {
     return presenter.isRunning();
+  }
+
+  /** Whether the picture of a job is shown, perhaps refined. */
+  boolean shows(final RenderJob other) {
+    return presenter.shows(other);
   }
 
   /** The rendering that is shown; null if there is none. */

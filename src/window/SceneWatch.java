@@ -7,6 +7,7 @@ import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.FileTime;
 import java.util.Collection;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
@@ -19,6 +20,9 @@ import java.util.concurrent.TimeUnit;
 final class SceneWatch {
 
   private static final long DELAY_MS = 250;
+
+  /** Times of files may be so much too early: they are those of a clock that ticks slowly. */
+  private static final long CLOCK_TICK_MS = 10;
 
   /** The attributes that reveal a change. A missing file has size -1. */
   private record State(FileTime time, long size) {
@@ -39,6 +43,7 @@ final class SceneWatch {
     thread.setDaemon(true);
     return thread;
   });
+  /** Used by the thread of the watch alone, as each look at a file may take long. */
   private final Map<Path, State> states = new HashMap<>();
   private boolean unsettled;
 
@@ -48,11 +53,24 @@ final class SceneWatch {
     clock.scheduleWithFixedDelay(this::poll, DELAY_MS, DELAY_MS, TimeUnit.MILLISECONDS);
   }
 
-  /** Sets the files to be watched. */
-  synchronized void watch(final Collection<Path> files) {
+  /** Sets the files to be watched, without waiting for them. */
+  void watch(final Collection<Path> files) {
+    final List<Path> next = List.copyOf(files);
+    final long asked = System.currentTimeMillis();
+    if (!clock.isShutdown()) {
+      clock.execute(() -> replace(next, asked));
+    }
+  }
+
+  /** A file that is found to have changed since its watching was asked for counts as changed. */
+  private void replace(final List<Path> files, final long asked) {
     states.keySet().retainAll(files);
     for (final Path file : files) {
-      states.computeIfAbsent(file, State::of);
+      if (!states.containsKey(file)) {
+        final State now = State.of(file);
+        states.put(file, now);
+        unsettled |= now.time.toMillis() > asked - CLOCK_TICK_MS;
+      }
     }
   }
 
@@ -63,7 +81,7 @@ final class SceneWatch {
     }
   }
 
-  private synchronized boolean hasSettled() {
+  private boolean hasSettled() {
     boolean different = false;
     for (final Map.Entry<Path, State> file : states.entrySet()) {
       final State now = State.of(file.getKey());

@@ -16,20 +16,18 @@ final class Session {
 
   private final BackgroundRenderer renderer;
   private final SceneWatch watch = new SceneWatch(() -> SwingUtilities.invokeLater(this::render));
-  private final int threads;
   private Path file;
   private List<Path> inputs = List.of();
   private SceneFile scene;
   private SceneFile lastRead;
   private CameraChange camera;
-  private RenderPass pass;
-  private PictureSize size = PictureSize.OWN;
+  private PictureOptions options;
 
   /** A session without a scene. A thread count of 0 means one thread per core. */
   Session(final BackgroundRenderer.Listener listener, final RenderPass pass, final int threads) {
     this.renderer = new BackgroundRenderer(listener);
-    this.pass = pass;
-    this.threads = threads > 0 ? threads : Runtime.getRuntime().availableProcessors();
+    this.options = new PictureOptions(pass, PictureSize.OWN, 1,
+        threads > 0 ? threads : Runtime.getRuntime().availableProcessors());
   }
 
   /** Opens a scene file and watches it. */
@@ -56,7 +54,7 @@ final class Session {
   /** Renders the scene, after reading its file again if it has one. */
   void render() {
     if (isOpen()) {
-      renderer.render(new BackgroundRenderer.RenderRequest(file, scene, pass, size, threads, camera, null));
+      renderer.render(new BackgroundRenderer.RenderRequest(file, scene, options, camera, null));
     }
   }
 
@@ -70,7 +68,7 @@ final class Session {
     final SceneFile known = scene == null ? lastRead : scene;
     if (known != null) {
       camera = next == null ? null : new CameraChange(known.camera(), next);
-      renderer.render(new BackgroundRenderer.RenderRequest(file, known, pass, size, threads, camera, preview));
+      renderer.render(new BackgroundRenderer.RenderRequest(file, known, options, camera, preview));
     }
   }
 
@@ -106,26 +104,37 @@ final class Session {
   }
 
   RenderPass pass() {
-    return pass;
+    return options.pass();
   }
 
   void setPass(final RenderPass next) {
-    pass = next;
-    render();
+    set(options.with(next));
   }
 
   /** Sets the size of the first picture. */
   void startWithSize(final PictureSize first) {
-    size = first;
+    options = options.with(first);
   }
 
   PictureSize size() {
-    return size;
+    return options.size();
   }
 
   void setSize(final PictureSize next) {
-    if (!next.equals(size)) {
-      size = next;
+    set(options.with(next));
+  }
+
+  int samples() {
+    return options.samples();
+  }
+
+  void setSamples(final int next) {
+    set(options.withSamples(next));
+  }
+
+  private void set(final PictureOptions next) {
+    if (!next.equals(options)) {
+      options = next;
       render();
     }
   }

@@ -110,7 +110,7 @@ final class Settings {
   void save() {
     try {
       preferences.flush();
-    } catch (final BackingStoreException failure) {
+    } catch (final BackingStoreException | IllegalStateException failure) {
       System.getLogger("upnatray").log(System.Logger.Level.DEBUG, failure);
     }
   }

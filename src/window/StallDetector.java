@@ -1,12 +1,15 @@
 package window;
 
 import java.util.Optional;
+import java.util.Set;
 
 import arguments.Messages;
 import lights.Light;
 import materials.Material;
 import models.Object3D;
-
+import rendering.PixelLoop;
+import rendering.RenderSettings;
+import rendering.Supersampling;
 import rendering.TileRenderer;
 
 /** Detects that a rendering has stalled, and finds the method of the object in which it hangs. */
@@ -14,6 +17,10 @@ final class StallDetector {
 
   /** Seconds without a finished tile that count as a stall. */
   private static final double STALL_SECONDS = 3;
+
+  /** Classes of which each rendering thread runs one. */
+  private static final Set<String> RENDERERS = Set.of(TileRenderer.class.getName(), PixelLoop.class.getName(),
+      Supersampling.class.getName(), RenderSettings.class.getName());
 
   private double share = -1;
   private long since;
@@ -48,7 +55,7 @@ final class StallDetector {
         object = String.format("%s.%s (%s:%d)", call.getClassName(), call.getMethodName(), call.getFileName(),
             call.getLineNumber());
       }
-      if (object != null && call.getClassName().equals(TileRenderer.class.getName())) {
+      if (object != null && RENDERERS.contains(call.getClassName())) {
         return Optional.of(object);
       }
     }

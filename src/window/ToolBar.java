@@ -4,6 +4,7 @@ import java.awt.Component;
 import java.awt.event.ActionListener;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JButton;
@@ -20,9 +21,13 @@ final class ToolBar extends JToolBar {
 
   private static final long serialVersionUID = 1L;
 
+  /** The choices of K, for K × K rays a pixel. */
+  static final Integer[] SAMPLES = {1, 2, 3, 4, 8};
+
   private final transient RenderWindow window;
   private final JComboBox<String> size = new JComboBox<>(new String[] {"25 %", "50 %", "100 %", "200 %", "640 x 480",
       "1920 x 1080"});
+  private final JComboBox<Integer> samples = new JComboBox<>(SAMPLES);
   private final JComboBox<RenderPass> pass = new JComboBox<>(RenderPass.values());
   private boolean selecting;
 
@@ -40,9 +45,14 @@ final class ToolBar extends JToolBar {
     size.setMaximumSize(size.getPreferredSize());
     addLabelled("size", size, event -> applySize());
     addSeparator();
+    samples.setName("samples");
+    samples.setRenderer(new Names<>(Integer.class, ToolBar::samplesText));
+    samples.setMaximumSize(samples.getPreferredSize());
+    addLabelled("samples", samples, event -> applySamples());
+    addSeparator();
     pass.setName("pass");
     pass.setSelectedItem(window.session().pass());
-    pass.setRenderer(new PassNames());
+    pass.setRenderer(new Names<>(RenderPass.class, next -> Messages.text("window.pass." + next + ".text")));
     pass.setMaximumSize(pass.getPreferredSize());
     addLabelled("pass", pass, event -> applyPass());
     addSeparator();
@@ -86,9 +96,27 @@ final class ToolBar extends JToolBar {
     }
   }
 
+  private void applySamples() {
+    if (!selecting && samples.getSelectedItem() instanceof Integer next && next != window.session().samples()) {
+      window.setSamples(next);
+    }
+  }
+
+  static String samplesText(final int K) {
+    return K == 1 ? "1" : K + " x " + K;
+  }
+
   void select(final RenderPass next) {
+    select(pass, next);
+  }
+
+  void selectSamples(final int next) {
+    select(samples, next);
+  }
+
+  private void select(final JComboBox<?> box, final Object next) {
     selecting = true;
-    pass.setSelectedItem(next);
+    box.setSelectedItem(next);
     selecting = false;
   }
 
@@ -96,15 +124,23 @@ final class ToolBar extends JToolBar {
     size.setSelectedItem(wanted.toString());
   }
 
-  /** Shows the passes by their names. */
-  private static final class PassNames extends DefaultListCellRenderer {
+  /** Shows values by their names. */
+  private static final class Names<T> extends DefaultListCellRenderer {
 
     private static final long serialVersionUID = 1L;
+
+    private final transient Class<T> type;
+    private final transient Function<T, String> names;
+
+    Names(final Class<T> type, final Function<T, String> names) {
+      this.type = type;
+      this.names = names;
+    }
 
     @Override
     public Component getListCellRendererComponent(final JList<?> list, final Object value, final int index,
         final boolean isSelected, final boolean cellHasFocus) {
-      final String name = value == null ? "" : Messages.text("window.pass." + value + ".text");
+      final String name = value == null ? "" : names.apply(type.cast(value));
       return super.getListCellRendererComponent(list, name, index, isSelected, cellHasFocus);
     }
   }

@@ -6,12 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assertions.fail;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Graphics;
 import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Rectangle;
@@ -22,32 +21,31 @@ import java.awt.datatransfer.DataFlavor;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.FutureTask;
-import java.util.prefs.Preferences;
+import java.util.stream.Stream;
 
 import javax.imageio.ImageIO;
 import javax.swing.AbstractButton;
 import javax.swing.Action;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
-import javax.swing.JLabel;
+import javax.swing.JMenu;
+import javax.swing.JMenuItem;
 import javax.swing.JOptionPane;
+import javax.swing.KeyStroke;
+import javax.swing.MenuElement;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
 
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 import inspection.SampleScenes;
 import models.SphereTrace;
@@ -57,133 +55,15 @@ import primitives.Point3D;
 import scenes.SceneFile;
 import tracer.Hit;
 import tracer.Ray;
+import rendering.Progress;
 import rendering.RenderPass;
+import rendering.RenderSettings;
+import upnatray.Image;
+import upnatray.RenderJob;
 import view.Orthographic;
 
-/** Drives a real window. Where there is no display these tests are skipped. */
-class RenderWindowTest {
-
-  private static final String SCENE = """
-      <image name="a ball">
-        <raster><W>80</W><H>60</H><backgroundColor>0 0 1</backgroundColor></raster>
-        <rayTracer><wblock>32</wblock><hblock>32</hblock><showProgress>true</showProgress></rayTracer>
-        <engine><illumination>false</illumination><falseLighting>false</falseLighting></engine>
-        <camera><position>0 0 5</position><lookAt>0 0 0</lookAt><up>0 1 0</up></camera>
-        <projection type="orthographic"><height>3</height><aspect>1.33333</aspect></projection>
-        <models><model id="ball" type="sphere"><radius>1</radius></model></models>
-        <scene><object><modelId>ball</modelId><color>255 0 0</color></object></scene>
-      </image>
-      """;
-
-  private static final int RED = 0xffff0000;
-  private static final int GREEN = 0xff00ff00;
-  private static final int BLUE = 0xff0000ff;
-
-  @TempDir
-  Path folder;
-
-  private Preferences preferences;
-  private RenderWindow window;
-  private Path scene;
-
-  @BeforeAll
-  static void needsADisplay() {
-    assumeFalse(GraphicsEnvironment.isHeadless(), "there is no display");
-  }
-
-  @BeforeEach
-  void openWindow() throws Exception {
-    preferences = Preferences.userRoot().node("upnatray/test" + ProcessHandle.current().pid());
-    preferences.clear();
-    scene = Files.writeString(folder.resolve("ball.xml"), SCENE);
-    on(() -> {
-      Theme.install(false);
-      window = new RenderWindow(new Settings(preferences), RenderPass.COLOUR, 2);
-      window.open(scene);
-      window.frame().setVisible(true);
-      return null;
-    });
-    waitFor(() -> window.job() != null && !window.isRunning());
-  }
-
-  @AfterEach
-  void closeWindow() throws Exception {
-    if (window != null) {
-      on(() -> {
-        window.close();
-        return null;
-      });
-      preferences.removeNode();
-    }
-  }
-
-  private static <T> T on(final Callable<T> action) throws Exception {
-    final FutureTask<T> task = new FutureTask<>(action);
-    if (SwingUtilities.isEventDispatchThread()) {
-      task.run();
-    } else {
-      SwingUtilities.invokeAndWait(task);
-    }
-    return task.get();
-  }
-
-  private void waitFor(final Callable<Boolean> condition) throws Exception {
-    final long end = System.nanoTime() + 20_000_000_000L;
-    while (!on(condition)) {
-      if (System.nanoTime() > end) {
-        fail("the condition did not become true within 20 seconds; status: " + label("status"));
-      }
-      Thread.sleep(20);
-    }
-  }
-
-  private int pixel(final int x, final int y) throws Exception {
-    return on(() -> window.view().picture().getRGB(x, y));
-  }
-
-  private void press(final String name) throws Exception {
-    final AbstractButton button = (AbstractButton) find(name);
-    on(() -> {
-      button.doClick();
-      return null;
-    });
-  }
-
-  private static Component find(final String name) {
-    for (final Window open : Window.getWindows()) {
-      final Component found = open.isShowing() ? find(open, name) : null;
-      if (found != null) {
-        return found;
-      }
-    }
-    return fail("there is no component " + name);
-  }
-
-  private static Component find(final Container container, final String name) {
-    for (final Component component : container.getComponents()) {
-      if (name.equals(component.getName())) {
-        return component;
-      }
-      final Component within = component instanceof Container ? find((Container) component, name) : null;
-      if (within != null) {
-        return within;
-      }
-    }
-    return null;
-  }
-
-  /** The middle of a pixel on the screen. */
-  private Point onScreen(final int x, final int y) throws Exception {
-    return on(() -> {
-      final Rectangle at = window.view().zoom().onScreen(new Rectangle(x, y, 1, 1));
-      final Point origin = window.view().getLocationOnScreen();
-      return new Point(origin.x + at.x + at.width / 2, origin.y + at.y + at.height / 2);
-    });
-  }
-
-  private String label(final String name) throws Exception {
-    return on(() -> ((JLabel) find(name)).getText());
-  }
+/** Drives a real window. */
+class RenderWindowTest extends WindowFixture {
 
   @Test
   void itShowsThePictureOfTheScene() throws Exception {
@@ -243,25 +123,18 @@ class RenderWindowTest {
     assertEquals(before / 4, on(() -> window.view().magnification()), 1e-9);
   }
 
-  /** Pins a pixel and waits for its inspection. */
-  private void pin(final int x, final int y) throws Exception {
-    on(() -> {
-      window.view().pin(new Point(x, y));
-      return null;
-    });
-    waitFor(() -> window.inspector().selected().isPresent());
-  }
-
   @Test
   void theTestOfAPixelGoesToTheClipboard() throws Exception {
     pin(40, 30);
     press("copyTest");
+    waitFor(() -> label("status").startsWith("test copied"));
     final Object text = Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
     assertTrue(String.valueOf(text).contains("new models.Sphere("), String.valueOf(text));
     on(() -> {
       window.copyPicture();
       return null;
     });
+    waitFor(() -> label("status").startsWith("picture copied"));
     final BufferedImage picture = (BufferedImage) Toolkit.getDefaultToolkit().getSystemClipboard()
         .getData(DataFlavor.imageFlavor);
     assertEquals(RED, picture.getRGB(40, 30));
@@ -332,6 +205,68 @@ class RenderWindowTest {
     });
     waitFor(() -> !window.isRunning() && window.job().image().getWidth() == 160);
     assertEquals(120, on(() -> window.view().picture().getHeight()));
+  }
+
+  @Test
+  void samplesAreChosenInTheToolBarAndInTheMenu() throws Exception {
+    pin(40, 30);
+    on(() -> {
+      ((javax.swing.JComboBox<?>) find("samples")).setSelectedItem(3);
+      return null;
+    });
+    waitFor(() -> !window.isRunning() && window.job().samples() == 3);
+    final RenderJob expected = RenderJob.ofSamples(window.job().scene(), RenderPass.COLOUR, 80, 60, 3, 1);
+    expected.run(Progress.NONE);
+    assertEquals(0, inspection.Difference.between(expected.image(), on(() -> window.view().picture())).orElseThrow()
+        .differing());
+    assertTrue(label("status").startsWith("80 x 60 pixels of 3 x 3 samples in "), label("status"));
+    final JMenuItem one = item(window.frame().getJMenuBar(), "1");
+    assertFalse(on(one::isSelected));
+    on(() -> {
+      one.doClick();
+      return null;
+    });
+    waitFor(() -> !window.isRunning() && window.job().samples() == 1);
+    assertEquals(1, on(() -> ((javax.swing.JComboBox<?>) find("samples")).getSelectedItem()));
+    assertEquals(new Point(40, 30), on(() -> window.view().pinned()));
+  }
+
+  private static JMenuItem item(final MenuElement menu, final String text) {
+    for (final MenuElement part : menu.getSubElements()) {
+      if (part instanceof JMenuItem item && item.getText().equals(text)) {
+        return item;
+      }
+      final JMenuItem within = item(part, text);
+      if (within != null) {
+        return within;
+      }
+    }
+    return null;
+  }
+
+  @Test
+  void everyMenuItemHasAKeyOfItsOwn() throws Exception {
+    final Map<KeyStroke, String> keys = new HashMap<>();
+    on(() -> {
+      collectKeys(window.frame().getJMenuBar(), keys);
+      return null;
+    });
+    assertTrue(keys.size() > 35, keys::toString);
+  }
+
+  private static void collectKeys(final MenuElement menu, final Map<KeyStroke, String> keys) {
+    for (final MenuElement part : menu.getSubElements()) {
+      if (part instanceof JMenu within && "recent".equals(within.getName())) {
+        continue;
+      }
+      if (part instanceof JMenu within) {
+        assertTrue(within.getMnemonic() != 0, within.getText());
+      } else if (part instanceof JMenuItem item) {
+        assertNotNull(item.getAccelerator(), item.getText());
+        assertNull(keys.put(item.getAccelerator(), item.getText()), item.getText());
+      }
+      collectKeys(part, keys);
+    }
   }
 
   @Test
@@ -447,6 +382,31 @@ class RenderWindowTest {
       pin(40, 30);
     } finally {
       endless.ended = true;
+    }
+  }
+
+  @Test
+  void aShapeThatNeverReturnsIsNamedInThePixelLoopAndWithSamplesToo() throws Exception {
+    for (final boolean loop : new boolean[] {true, false}) {
+      final Endless endless = new Endless();
+      final SceneFile sample = SampleScenes.of(new Orthographic(4, 0.8f), true, endless);
+      final RenderSettings settings = RenderSettings.STANDARD.withThreads(1);
+      final Thread rendering = new Thread(() -> {
+        if (loop) {
+          new Image(4, 3, Color.BLUE).synthesis(sample.objects(), sample.camera(), settings.withPixelLoop());
+        } else {
+          RenderJob.ofSamples(sample, RenderPass.COLOUR, 4, 3, 2, 1).run(Progress.NONE);
+        }
+      });
+      rendering.start();
+      try {
+        final StallDetector detector = new StallDetector();
+        waitFor(() -> detector.check(0.5).filter(text -> text.contains("Endless.intersectionWith (RenderWindowTest.java:"))
+            .isPresent());
+      } finally {
+        endless.ended = true;
+        rendering.join();
+      }
     }
   }
 
@@ -595,14 +555,76 @@ class RenderWindowTest {
     }
   }
 
-  private static JOptionPane complaint() {
-    for (final Window open : Window.getWindows()) {
-      if (open.isShowing() && open instanceof JDialog dialog
-          && dialog.getContentPane().getComponent(0) instanceof JOptionPane pane) {
-        return pane;
+  /** Under another name, which shows that files are compared and not names. */
+  @Test
+  void aMeshOfTheSceneIsNotReplaced() throws Exception {
+    final Path mesh = Files.writeString(folder.resolve("mesh.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    Files.writeString(scene, SCENE.replace("<model id=\"ball\" type=\"sphere\"><radius>1</radius></model>",
+        "<model id=\"ball\" type=\"mesh\"><objFile>mesh.obj</objFile></model>"));
+    waitFor(() -> !window.isRunning() && window.session().inputs().size() == 2);
+    final Path link = Files.createLink(folder.resolve("drawing.png"), mesh);
+    on(() -> {
+      window.dialogs().saveAs(window.view().picture(), link);
+      return null;
+    });
+    waitFor(() -> complaint() != null);
+    on(() -> {
+      complaint().setValue(JOptionPane.OK_OPTION);
+      return null;
+    });
+    waitFor(() -> complaint() == null);
+    assertTrue(Files.readString(mesh).startsWith("v 0 0 0"));
+  }
+
+  @Test
+  void anEndingOfAnotherFormatIsKeptAndPngAdded() throws Exception {
+    final Path other = Files.writeString(folder.resolve("photograph.jpg"), "a photograph");
+    on(() -> {
+      window.dialogs().saveAs(window.view().picture(), other);
+      return null;
+    });
+    waitFor(() -> label("status").startsWith("saved"));
+    assertEquals("a photograph", Files.readString(other));
+    assertEquals(RED, ImageIO.read(folder.resolve("photograph.jpg.png").toFile()).getRGB(40, 30));
+  }
+
+  /** Whatever the reference is: a picture, the scene itself, or a text. */
+  @Test
+  void comparingWritesNoFile() throws Exception {
+    final Path reference = folder.resolve("reference.png");
+    ImageIO.write(window.view().picture(), "png", reference.toFile());
+    final Path text = Files.writeString(folder.resolve("text.png"), "a text");
+    final Map<Path, String> before = contents();
+    for (final Path file : List.of(scene, text)) {
+      on(() -> {
+        window.dialogs().compareWith(file);
+        return null;
+      });
+      waitFor(() -> complaint() != null);
+      on(() -> {
+        complaint().setValue(JOptionPane.OK_OPTION);
+        return null;
+      });
+      waitFor(() -> complaint() == null);
+    }
+    on(() -> {
+      window.dialogs().compareWith(reference);
+      return null;
+    });
+    waitFor(() -> isShowing("comparison") && label("figures").contains("differ"));
+    press("compare.close");
+    assertEquals(before, contents());
+  }
+
+  /** The files of the folder with their times and bytes. */
+  private Map<Path, String> contents() throws IOException {
+    final Map<Path, String> contents = new HashMap<>();
+    try (Stream<Path> files = Files.list(folder)) {
+      for (final Path file : files.toList()) {
+        contents.put(file, Files.getLastModifiedTime(file) + Arrays.toString(Files.readAllBytes(file)));
       }
     }
-    return null;
+    return contents;
   }
 
   @Test
@@ -620,21 +642,19 @@ class RenderWindowTest {
     assertFalse(on(() -> isShowing("comparison")));
   }
 
-  private static boolean isShowing(final String name) {
-    for (final Window open : Window.getWindows()) {
-      if (open.isShowing() && name.equals(open.getName())) {
-        return true;
-      }
-    }
-    return false;
-  }
-
   @Test
   void theWireframeRotatesAndZoomsAboutThePointer() throws Exception {
     press("wireframe");
     final WireframeView wireframe = on(() -> window.dialogs().wireframe());
+    final BufferedImage empty = new BufferedImage(2 * wireframe.getWidth(), 2 * wireframe.getHeight(),
+        BufferedImage.TYPE_INT_RGB);
+    final Graphics g = empty.getGraphics();
+    g.fillRect(0, 0, empty.getWidth(), empty.getHeight());
+    g.dispose();
+    waitFor(() -> inspection.Difference.between(empty, wireframe.image()).orElseThrow().differing() > 100);
     final BufferedImage before = on(wireframe::image);
     pin(40, 30);
+    waitFor(() -> inspection.Difference.between(before, wireframe.image()).orElseThrow().differing() > 0);
     on(() -> {
       wireframe.turn(30, 10);
       return null;
