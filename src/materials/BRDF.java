@@ -7,8 +7,8 @@ import radiometry.RadianceRGB;
 import radiometry.ReflectanceRGB;
 
 /**
- * A bidirectional reflectance distribution function f(wi, wo), in 1/sr: a surface that reflects light on the viewer's side.
- * A new kind extends this class and writes {@link #reflect}: see {@link materials}.
+ * A bidirectional reflectance distribution function f(wi, wo), in 1/sr: a surface that reflects light on the viewer's
+ * side. A new kind extends this class and implements {@link #reflect}: see {@link materials}.
  *
  * <p>A physical f is reciprocal, f(wi, wo) = f(wo, wi), and reflects no more than it receives: ∫ f(wi, wo) n·wi dωi ≤ 1.
  */
@@ -20,7 +20,8 @@ public abstract class BRDF extends Material {
   }
 
   /**
-   * Radiance that is sent in a direction because of light from another: f(wi, wo) times the irradiance on the surface.
+   * The radiance reflected in one direction of light that arrives from another: f(wi, wo) times the irradiance on the
+   * surface.
    *
    * @param irradiance on the surface, that is, with the cosine n·wi included
    * @param wi unit vector towards the light, n·wi &gt; 0
@@ -31,7 +32,7 @@ public abstract class BRDF extends Material {
   public abstract RadianceRGB reflect(RadianceRGB irradiance, Vector3D wi, Vector3D wo, Vector3D n);
 
   /**
-   * Factor of the ideal reflection, by which the radiance from the mirrored direction is seen in the surface.
+   * Factor of the ideal reflection: the fraction of the radiance from the mirrored direction that is seen in the surface.
    *
    * @param cosine n·wo, from 0 to 1
    * @return the factor at that angle; null, as by default, for none
@@ -40,7 +41,7 @@ public abstract class BRDF extends Material {
     return null;
   }
 
-  /** {@inheritDoc} The default asks {@link #reflect}. */
+  /** {@inheritDoc} The default calls {@link #reflect}. */
   @Override
   public void scatter(final SurfaceInteraction interaction) {
     interaction.setRadiance(0, 0, 0);
@@ -54,7 +55,7 @@ public abstract class BRDF extends Material {
     }
   }
 
-  /** {@inheritDoc} The default asks {@link #mirror}. */
+  /** {@inheritDoc} The default calls {@link #mirror}. */
   @Override
   public boolean specular(final double cosine, final boolean outside, final SpecularRays rays) {
     final ReflectanceRGB factor = mirror(cosine);

@@ -9,15 +9,15 @@ import radiometry.RadianceRGB;
 import radiometry.ReflectanceRGB;
 
 /**
- * A bidirectional transmittance distribution function: the surface between two transparent media, which reflects a part
- * of the light and lets the rest through, bent. Inside is the side opposite to the surface's own normal. η<sub>o</sub>
- * is the index of refraction on the viewer's side of the surface, η<sub>t</sub> that of the other; each surface
- * separates its own two indices, and there is no stack of media.
+ * A bidirectional transmittance distribution function: the surface between two transparent media, which reflects one part
+ * of the light and refracts the rest. Inside is the side opposite to the surface's own normal. η<sub>o</sub> is the index
+ * of refraction on the viewer's side of the surface, η<sub>t</sub> that on the other; each surface has its own two
+ * indices, and there is no stack of media.
  *
  * <p>The ideal part is followed by recursion: reflection with the factor k F, refraction with the factor k (1 − F)
  * (η<sub>o</sub>/η<sub>t</sub>)², F being Fresnel's reflectance for unpolarised light. The last term is the change of
- * radiance at an interface, which cancels on the way through. Source: Pharr, Jakob and Humphreys, "Physically Based
- * Rendering", 4th edition, 2023, sections 9.3 and 9.5.
+ * radiance at an interface, which cancels for light that passes through. Source: Pharr, Jakob and Humphreys, "Physically
+ * Based Rendering", 4th edition, 2023, sections 9.3 and 9.5.
  */
 public abstract class BTDF extends Material {
 
@@ -28,7 +28,7 @@ public abstract class BTDF extends Material {
   private final double outsideRatio;
   private final double insideRatio;
 
-  /** The surface of a factor, null for black, and two indices of refraction. */
+  /** A surface with a factor, null for black, and two indices of refraction. */
   BTDF(final ReflectanceRGB dielectric, final float etaInt, final float etaExt) {
     this.dielectric = dielectric;
     this.k = Channels.of(dielectric);
@@ -44,7 +44,7 @@ public abstract class BTDF extends Material {
   }
 
   /**
-   * Radiance that is sent in a direction because of light from another, be it on the same side of the surface or on the
+   * The radiance scattered in one direction of light that arrives from another, on the same side of the surface or on the
    * other: f(wi, wo) times the irradiance on the surface.
    *
    * @param irradiance on the surface, that is, with the cosine |n·wi| included
@@ -53,7 +53,7 @@ public abstract class BTDF extends Material {
    * @param n unit normal on the viewer's side
    * @param isOutside whether the viewer is on the side of the surface's own normal
    * @return the radiance
-   * @throws IllegalArgumentException if an argument is null, or a vector zero or not finite
+   * @throws IllegalArgumentException if an argument is null, or if a vector is zero or not finite
    */
   public final RadianceRGB scatter(final RadianceRGB irradiance, final Vector3D wi, final Vector3D wo, final Vector3D n,
       final boolean isOutside) {
@@ -92,12 +92,12 @@ public abstract class BTDF extends Material {
     return isOutside ? outsideRatio : insideRatio;
   }
 
-  /** The factor of all that is reflected or let through. */
+  /** The factor of all reflected and refracted light. */
   final Channels factor() {
     return k;
   }
 
-  /** The arguments of the constructor, for texts. */
+  /** The arguments of the constructor, for {@code toString}. */
   final String media() {
     return dielectric + ", " + inside + ", " + outside;
   }

@@ -9,7 +9,7 @@ package materials;
  */
 public final class Beckmann extends NormalDistributionFunction {
 
-  /** Degrees beyond which β is cut: at 90 there would be no slope left that is finite. */
+  /** Greatest β in degrees: at 90 no slope would be finite. */
   private static final float WIDEST = 89;
 
   private final double alpha2;
@@ -17,7 +17,7 @@ public final class Beckmann extends NormalDistributionFunction {
   /**
    * A Gaussian of slopes.
    *
-   * @param beta angle of half value in degrees, from 0 to 90; over 89 it counts as 89
+   * @param beta angle of half value in degrees, from 0 to 90; above 89 it counts as 89
    * @throws IllegalArgumentException if beta is outside, or NaN
    */
   public Beckmann(final float beta) {

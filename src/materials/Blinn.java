@@ -14,7 +14,7 @@ public final class Blinn extends NormalDistributionFunction {
   /**
    * A cosine lobe.
    *
-   * @param beta angle of half value in degrees, from 0 to 90; at 90 all directions are equally frequent
+   * @param beta angle of half value in degrees, from 0 to 90; at 90 all directions are equally likely
    * @throws IllegalArgumentException if beta is outside, or NaN
    */
   public Blinn(final float beta) {

@@ -5,7 +5,7 @@ import radiometry.ReflectanceRGB;
 /** A coefficient of a formula in each of the three channels, in double. */
 final class Channels {
 
-  /** Nothing. */
+  /** Zero. */
   static final Channels ZERO = new Channels(0, 0, 0);
 
   private final double r;
@@ -23,7 +23,7 @@ final class Channels {
     return k == null ? ZERO : new Channels(k.getR(), k.getG(), k.getB());
   }
 
-  /** Whether there is nothing of a reflectance, be it null or black. */
+  /** Whether a reflectance is null or black. */
   static boolean isAbsent(final ReflectanceRGB k) {
     return k == null || k.isBlack();
   }
@@ -52,7 +52,7 @@ final class Channels {
     return new Channels(r + other.r, g + other.g, b + other.b);
   }
 
-  /** What is missing to 1. */
+  /** 1 minus each channel. */
   Channels rest() {
     return new Channels(1 - r, 1 - g, 1 - b);
   }

@@ -7,12 +7,12 @@ import radiometry.RadianceRGB;
 import radiometry.ReflectanceRGB;
 
 /**
- * The form that all BRDFs of this package share: a diffuse part, and a specular one that is a lobe of microfacets or, if
- * these are polished, ideal reflection. In each channel
+ * The form that all BRDFs of this package share: a diffuse part, and a specular part that is a lobe of microfacets or,
+ * for a polished surface, ideal reflection. In each channel
  *
  * <p>f = diffuse · {@link #diffuse} + (specular + edge · (1 − c)⁵) · {@link #lobe}, c = wo·h.
  *
- * <p>Coefficients that are 0 in all channels leave their part out.
+ * <p>A part whose coefficient is 0 in all channels is left out.
  */
 abstract class DiffuseSpecular extends BRDF {
 
@@ -28,10 +28,10 @@ abstract class DiffuseSpecular extends BRDF {
    * Coefficients and microfacets.
    *
    * @param diffuse coefficient of the diffuse part
-   * @param specular reflectance of the specular part where it is seen frontally
-   * @param edge by how much that rises towards grazing directions
+   * @param specular reflectance of the specular part at normal incidence
+   * @param edge its increase towards grazing directions
    * @param ndf distribution of microfacets; null for a polished surface
-   * @param color what stands for the material
+   * @param color colour of the material where there is no illumination
    */
   DiffuseSpecular(final Channels diffuse, final Channels specular, final Channels edge, final NormalDistributionFunction ndf,
       final Color color) {
@@ -44,12 +44,12 @@ abstract class DiffuseSpecular extends BRDF {
     this.color = color;
   }
 
-  /** The geometry of the diffuse part, by default none, as for Lambert. */
+  /** The geometric factor of the diffuse part; by default 1, as for Lambert. */
   double diffuse(final SurfaceInteraction interaction) {
     return 1;
   }
 
-  /** The geometry of the lobe, without its Fresnel factor. */
+  /** The geometric factor of the lobe, without its Fresnel factor. */
   double lobe(final Microfacets facets, final SurfaceInteraction interaction, final double c) {
     return facets.mirroredDensity(interaction, c);
   }
@@ -111,7 +111,7 @@ abstract class DiffuseSpecular extends BRDF {
     return true;
   }
 
-  /** Distribution of the microfacets, for texts. */
+  /** Distribution of the microfacets, for {@code toString}. */
   final String distribution() {
     return microfacets.toString();
   }

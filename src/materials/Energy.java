@@ -5,8 +5,7 @@ import static arguments.Arguments.wrong;
 import radiometry.ReflectanceRGB;
 
 /**
- * The checks of reflectances that only make sense together: a surface sends back no more than it receives, and
- * something.
+ * Checks of reflectances that depend on each other: a surface reflects something, and no more than it receives.
  */
 final class Energy {
 
@@ -16,7 +15,7 @@ final class Energy {
   private Energy() {
   }
 
-  /** Checks a reflectance that a material cannot do without. */
+  /** Checks a reflectance that a material requires. */
   static ReflectanceRGB notBlack(final String name, final ReflectanceRGB k) {
     if (Channels.isAbsent(k)) {
       throw wrong("black", name, k);

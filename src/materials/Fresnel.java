@@ -1,6 +1,6 @@
 package materials;
 
-/** The part of light that a smooth interface reflects. */
+/** The fraction of light that a smooth interface reflects. */
 final class Fresnel {
 
   private Fresnel() {
@@ -16,7 +16,7 @@ final class Fresnel {
   }
 
   /**
-   * The cosine of the refracted ray's angle by Snell's law, √(1 − r² (1 − c²)) in a form that is exact where both indices
+   * The cosine of the refracted ray's angle by Snell's law, √(1 − r² (1 − c²)) in a form that is exact if both indices
    * are equal.
    *
    * @param cosine cosine of the incident ray's angle, from 0 to 1

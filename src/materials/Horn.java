@@ -15,7 +15,7 @@ public final class Horn extends NormalDistributionFunction {
   /**
    * Phong's lobe.
    *
-   * @param beta angle of half value in degrees, from 0 to 90; from 45 on, all directions up to 45° are equally frequent
+   * @param beta angle of half value in degrees, from 0 to 90; from 45 on, all directions up to 45° are equally likely
    * @throws IllegalArgumentException if beta is outside, or NaN
    */
   public Horn(final float beta) {

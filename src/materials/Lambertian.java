@@ -5,7 +5,7 @@ import static arguments.Arguments.notNull;
 import radiometry.ReflectanceRGB;
 
 /**
- * A matte surface, equally bright from everywhere: f = k<sub>d</sub> / π. Source: Lambert, "Photometria", 1760.
+ * A matte surface, equally bright from all directions: f = k<sub>d</sub> / π. Source: Lambert, "Photometria", 1760.
  *
  * <p><img src="doc-files/Lambertian.png" width="320" height="240" alt="A matte ball">
  */

@@ -3,8 +3,8 @@ package materials;
 import java.awt.Color;
 
 /**
- * What a surface does to light: a {@link BRDF} reflects it, a {@link BTDF} also lets it through. Immutable, and asked by
- * several threads at once.
+ * What a surface does to light: a {@link BRDF} reflects it, a {@link BTDF} also transmits it. Immutable, and called by
+ * several threads concurrently.
  *
  * <p>The methods other than {@link #getColor} are for renderers: they compute in double and, for the materials of this
  * package, allocate nothing. A user-written material extends {@link BRDF} and need not know them.
@@ -19,7 +19,7 @@ public abstract class Material {
   }
 
   /**
-   * The colour that stands for the material where there is no illumination.
+   * The colour of the material where there is no illumination.
    *
    * @return a colour; by default light grey
    */
@@ -28,19 +28,19 @@ public abstract class Material {
   }
 
   /**
-   * Whether lights are seen on the surface, so that it is worthwhile to look for them. Not so for a perfect mirror and for
-   * clear glass: no ray of theirs meets a light that is a point.
+   * Whether lights are seen on the surface, so that it is worthwhile to look for them. They are not on a perfect mirror
+   * or on clear glass, whose rays never hit a point light.
    *
-   * @return true if {@link #scatter} can give light; by default true
+   * @return true if {@link #scatter} can return radiance; by default true
    */
   public boolean scatters() {
     return true;
   }
 
   /**
-   * Whether lights behind the surface count as well as those before it.
+   * Whether lights behind the surface count as well as those in front of it.
    *
-   * @return true if {@link #scatter} can give light for a direction with n·wi &lt; 0; by default false
+   * @return true if {@link #scatter} can return radiance for a direction with n·wi &lt; 0; by default false
    */
   public boolean transmits() {
     return false;

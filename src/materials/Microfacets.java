@@ -13,7 +13,7 @@ final class Microfacets {
     this.ndf = ndf;
   }
 
-  /** Whether there is ideal reflection in place of a lobe. */
+  /** Whether the lobe is replaced by ideal reflection. */
   boolean arePolished() {
     return ndf == null || ndf.isPolished();
   }

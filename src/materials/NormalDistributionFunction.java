@@ -6,8 +6,9 @@ import static arguments.Arguments.within;
 import primitives.Vector3D;
 
 /**
- * How the normals of the microfacets of a rough surface are distributed about its own: D(θ) per steradian, θ being the angle
- * between the normal n and the microfacets' h. It is normalised, ∫ D(h) (n·h) dω = 1 over the hemisphere about n. Immutable.
+ * How the normals of the microfacets of a rough surface are distributed about its own: D(θ) per steradian, θ being the
+ * angle between the surface's normal n and the microfacets' normal h. It is normalised, ∫ D(h) (n·h) dω = 1 over the
+ * hemisphere about n. Immutable.
  *
  * <p>The width β is the angle between n and h at which D has half of its peak (Blinn, "Models of light reflection for
  * computer synthesized pictures", SIGGRAPH 1977). For β less than 0.1 degrees the surface counts as polished: the lobe
@@ -33,7 +34,7 @@ public abstract class NormalDistributionFunction {
    * The density of microfacets of a direction.
    *
    * @param cosine cos θ = n·h, &gt; 0
-   * @param sine2 sin² θ = |n × h|²; given beside the cosine as it cannot be computed of it near n
+   * @param sine2 sin² θ = |n × h|²; given as well because near n it cannot be computed from the cosine
    * @return D(θ) per steradian, at least 0
    */
   protected abstract double density(double cosine, double sine2);
@@ -43,7 +44,7 @@ public abstract class NormalDistributionFunction {
    *
    * @param n normal of the surface
    * @param h normal of the microfacets
-   * @return D per steradian; 0 where n·h ≤ 0, and for a polished surface, whose density is no number
+   * @return D per steradian; 0 where n·h ≤ 0, and for a polished surface, whose density is not finite
    * @throws IllegalArgumentException if a vector is null, zero, or not finite
    */
   public final double getProbability(final Vector3D n, final Vector3D h) {

@@ -2,11 +2,11 @@ package materials;
 
 /**
  * The ideal rays that leave a surface, as a {@link Material} describes them to a renderer: a reflected one and a
- * refracted one, each with the factors by which what it brings is seen. Mutable; a renderer keeps some for each thread,
- * so that nothing is allocated on the way.
+ * refracted one, each with the factors of its radiance. Mutable; a renderer keeps some for each thread, so that nothing
+ * is allocated.
  *
- * <p>With d the direction of the ray that came, n the normal on its side and co = −n·d, the reflected ray is d + 2 co n; the
- * refracted ray is r d + (r co − cos θt) n, r = {@link #ratio}, cos θt = {@link #refractedCosine}.
+ * <p>With d the direction of the incoming ray, n the normal on its side and co = −n·d, the reflected ray is d + 2 co n;
+ * the refracted ray is r d + (r co − cos θt) n, r = {@link #ratio}, cos θt = {@link #refractedCosine}.
  */
 public final class SpecularRays {
 

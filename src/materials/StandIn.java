@@ -4,7 +4,7 @@ import java.awt.Color;
 
 import radiometry.ReflectanceRGB;
 
-/** The colours that stand for materials where there is no illumination: the sum of the reflectances, shown as it is. */
+/** The colours of materials where there is no illumination: the sum of the reflectances, not encoded. */
 final class StandIn {
 
   private StandIn() {

@@ -7,9 +7,8 @@ import java.awt.image.DataBuffer;
 import java.awt.image.Raster;
 
 /**
- * The pixels of an image as they are stored. {@link BufferedImage#getRGB} takes a grey image for linear and shows a
- * stored 20 as 79, and converts what has a colour profile; so samples are read from the raster, wherever there is one
- * for each channel.
+ * The pixels of an image as they are stored. {@link BufferedImage#getRGB} takes grey images for linear, returning 79 for
+ * a stored 20, and applies colour profiles; so samples are read from the raster wherever it has one for each channel.
  */
 final class StoredTexels {
 
@@ -27,7 +26,7 @@ final class StoredTexels {
     return hasPlainSamples() ? samples(width, height) : image.getRGB(0, 0, width, height, null, 0, width);
   }
 
-  /** Whether each channel has a number of its own: grey or RGB, perhaps with alpha, in 8 or 16 bits. */
+  /** Whether each channel has a sample: grey or RGB, possibly with alpha, in 8 or 16 bits. */
   private boolean hasPlainSamples() {
     final int type = model.getTransferType();
     return model instanceof ComponentColorModel && !model.isAlphaPremultiplied() && model.getNumComponents() <= 4
@@ -59,7 +58,7 @@ final class StoredTexels {
     return scales;
   }
 
-  /** A sample of 0 … scale as one of 0 … 255, rounded. */
+  /** Scales a sample from 0 … scale to 0 … 255, rounded. */
   private static int eight(final int sample, final int scale) {
     return (510 * sample + scale) / (2 * scale);
   }

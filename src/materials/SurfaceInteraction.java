@@ -8,9 +8,9 @@ import radiometry.RadianceRGB;
 
 /**
  * Light that falls on a surface and is scattered towards a viewer, in double: the normal n on the viewer's side, the unit
- * vectors wo towards the viewer and wi towards the light, the irradiance, and the radiance that comes of it. Mutable; a
- * renderer keeps one for each thread, sets normal and wo for each hit, wi and irradiance for each light, has the
- * {@link Material} write the radiance, and so allocates nothing on the way.
+ * vectors wo towards the viewer and wi towards the light, the irradiance, and the resulting radiance. Mutable; a renderer
+ * keeps one for each thread, sets normal and wo for each hit, wi and irradiance for each light, and lets the
+ * {@link Material} write the radiance; so nothing is allocated.
  */
 public final class SurfaceInteraction {
 
@@ -38,7 +38,7 @@ public final class SurfaceInteraction {
     // Filled by renderers.
   }
 
-  /** The interaction of vectors of any length, in the open interface. */
+  /** The interaction of vectors of any length, for the public methods. */
   SurfaceInteraction(final RadianceRGB irradiance, final Vector3D wi, final Vector3D wo, final Vector3D n,
       final boolean outside) {
     notNull("irradiance", irradiance);
@@ -76,8 +76,8 @@ public final class SurfaceInteraction {
   }
 
   /**
-   * Sets the direction towards the light. Where n·wi &lt; 0, the light is on the other side of the surface; where a
-   * geometric normal says otherwise than n does, the renderer leaves the light out.
+   * Sets the direction towards the light. Where n·wi &lt; 0, the light is on the other side of the surface; where the
+   * geometric normal disagrees with n, the renderer leaves the light out.
    *
    * @param iX first component of the unit vector wi
    * @param iY second component
@@ -104,7 +104,7 @@ public final class SurfaceInteraction {
   }
 
   /**
-   * Sets the radiance towards the viewer; materials do.
+   * Sets the radiance towards the viewer; called by materials.
    *
    * @param r red, at least 0
    * @param g green
@@ -150,7 +150,7 @@ public final class SurfaceInteraction {
     return x * x + y * y + z * z;
   }
 
-  /** The squared length |n × (a wi + b wo)|²: for a unit vector, sin² of its angle to n, which does not cancel near n. */
+  /** The squared length |n × (a wi + b wo)|²: for a unit vector, sin² of its angle to n, without cancellation near n. */
   double cross2(final double a, final double b) {
     final double x = a * ix + b * ox, y = a * iy + b * oy, z = a * iz + b * oz;
     final double cx = ny * z - nz * y, cy = nz * x - nx * z, cz = nx * y - ny * x;

@@ -7,8 +7,8 @@ import java.awt.Color;
 import java.awt.image.BufferedImage;
 
 /**
- * An image that colours a surface by its coordinates (u, v): u to the right, v upwards, (0, 0) the lower left corner of the
- * image, which repeats in both directions. The nearest texel counts; nothing is filtered. Immutable.
+ * An image that colours a surface by its coordinates (u, v): u to the right, v upwards, (0, 0) the lower left corner of
+ * the image, which repeats in both directions. Lookups return the nearest texel, without filtering. Immutable.
  *
  * <p>Texels are sRGB of 8 bits with alpha, as they are stored: a grey g is (g, g, g), 16 bits are rounded to 8, palettes are
  * resolved, and colour profiles ignored.
@@ -44,9 +44,9 @@ public final class Texture {
   }
 
   /**
-   * The texture with less opaque texels.
+   * The texture with reduced opacity.
    *
-   * @param opacity what the alpha of each texel is multiplied by, from 0 to 1
+   * @param opacity factor of the alpha of each texel, from 0 to 1
    * @return the texture, its alpha rounded
    * @throws IllegalArgumentException if the opacity is out of range
    */
@@ -63,7 +63,7 @@ public final class Texture {
   }
 
   /**
-   * The texel at a place.
+   * The texel at texture coordinates.
    *
    * @param u first coordinate, to the right; its integer part is without effect
    * @param v second coordinate, upwards
@@ -74,7 +74,7 @@ public final class Texture {
   }
 
   /**
-   * The texel at a place as a number, for renderers.
+   * The texel at texture coordinates as a number, for renderers.
    *
    * @param u first coordinate, to the right; its integer part is without effect
    * @param v second coordinate, upwards

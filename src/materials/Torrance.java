@@ -9,7 +9,7 @@ package materials;
  */
 public final class Torrance extends NormalDistributionFunction {
 
-  /** Where exp(−κ θ²) = exp(−49), beyond which nothing of the integral is left in double. */
+  /** Where exp(−κ θ²) = exp(−49): what lies beyond does not change the integral in double. */
   private static final double END = 7;
 
   /** Intervals of Simpson's rule: at a step of END / 2000 its error is below 1e-10. */
@@ -31,7 +31,7 @@ public final class Torrance extends NormalDistributionFunction {
     this.peak = isPolished() ? Double.POSITIVE_INFINITY : 1 / integral();
   }
 
-  /** The integral of exp(−κ θ²) (n·h) over the hemisphere, 2π ∫ exp(−κ θ²) cos θ sin θ dθ, whose ends bring nothing. */
+  /** The integral of exp(−κ θ²) (n·h) over the hemisphere, 2π ∫ exp(−κ θ²) cos θ sin θ dθ, whose ends contribute nothing. */
   private double integral() {
     final double end = Math.min(Math.PI / 2, END / Math.sqrt(kappa)), step = end / INTERVALS;
     double sum = 0;

@@ -3,8 +3,8 @@ package materials;
 import radiometry.ReflectanceRGB;
 
 /**
- * The rough surface of glass: lights are seen in lobes, on both sides; other objects along the ideal rays, as if the surface
- * were smooth. With ci = |n·wi| and co = n·wo:
+ * The rough surface of glass: lights are seen as lobes, on both sides; other objects along the ideal rays, as if the
+ * surface were smooth. With ci = |n·wi| and co = n·wo:
  * <ul>
  * <li>same side, h = unit(wi + wo): f = k F(wo·h) D(h) G / (4 ci co);</li>
  * <li>other side, h = ±unit(η<sub>t</sub> wi + η<sub>o</sub> wo) with the sign that makes n·h &gt; 0: f = k ·

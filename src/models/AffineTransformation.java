@@ -20,14 +20,14 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * An object scaled, then rotated, then moved: p goes to M p = T·R·S·p.
+ * An object scaled, then rotated, then translated: p becomes M p = T·R·S·p.
  *
  * <p><img src="doc-files/AffineTransformation.png" width="320" height="240" alt="A torus that was stretched and turned">
  *
- * <p>The ray is taken to the object's frame by the inverse, where its direction has some length k = |M⁻¹ v|; it is brought
- * to unit length, and the t found is divided by k. The normal goes back by the inverse transpose, as M itself would tilt it
- * (Turkowski, "Properties of surface-normal transformations", Graphics Gems, 1990). Distance, point and normal of a hit are
- * those of the scene; its object is the one that was hit.
+ * <p>The ray is transformed to the object's frame by the inverse, where its direction has the length k = |M⁻¹ v|; it is
+ * normalised there, and the t found is divided by k. The normal is transformed back by the inverse transpose, as M itself
+ * would tilt it (Turkowski, "Properties of surface-normal transformations", Graphics Gems, 1990). Distance, point and
+ * normal of a hit are those of the scene; its object is the one that was hit.
  */
 public class AffineTransformation extends Object3D {
 
@@ -48,7 +48,7 @@ public class AffineTransformation extends Object3D {
   private final double shiftX;
   private final double shiftY;
   private final double shiftZ;
-  /** That of the inverse, see {@link #norm(Matrix3d)}. */
+  /** The norm of the inverse, see {@link #norm(Matrix3d)}. */
   private final double norm;
 
   /**
@@ -160,7 +160,7 @@ public class AffineTransformation extends Object3D {
   }
 
   /**
-   * Scale, rotation and translation in double precision, for coordinates that floats do not hold.
+   * Scale, rotation and translation in double precision, for coordinates beyond the precision of floats.
    *
    * @param s factors of scale along x, y and z, none of them 0
    * @param rotation matrix of a rotation
@@ -173,7 +173,7 @@ public class AffineTransformation extends Object3D {
     return new AffineTransformation(s, rotation, d, object);
   }
 
-  /** The greatest sum of the absolute numbers in a row. */
+  /** The maximum norm: the greatest sum of absolute values in a row. */
   private static double norm(final Matrix3d m) {
     return Math.max(Math.abs(m.m00) + Math.abs(m.m01) + Math.abs(m.m02),
         Math.max(Math.abs(m.m10) + Math.abs(m.m11) + Math.abs(m.m12), Math.abs(m.m20) + Math.abs(m.m21) + Math.abs(m.m22)));
@@ -270,10 +270,10 @@ public class AffineTransformation extends Object3D {
   }
 
   /**
-   * The ray in the frame of the object that is transformed.
+   * A ray in the frame of the transformed object.
    *
    * @param ray a ray of the scene
-   * @return the ray, its direction of unit length there; {@link Ray#NORAY} if it is none
+   * @return the ray, its direction of unit length there; {@link Ray#NORAY} for {@link Ray#NORAY}
    * @throws IllegalArgumentException if the ray is null
    */
   public Ray rayToObject(final Ray ray) {
@@ -296,11 +296,11 @@ public class AffineTransformation extends Object3D {
   }
 
   /**
-   * What a hit in the frame of the object is in the scene: distance, point and normal.
+   * Transforms a hit from the object's frame to the scene: distance, point and normal.
    *
    * @param ray the ray of the scene whose {@link #rayToObject} was hit
    * @param hit the hit there
-   * @return the hit in the scene; {@link Hit#NOHIT} if it is none
+   * @return the hit in the scene; {@link Hit#NOHIT} for {@link Hit#NOHIT}
    * @throws IllegalArgumentException if an argument is null
    */
   public Hit hitToScene(final Ray ray, final Hit hit) {
@@ -316,7 +316,7 @@ public class AffineTransformation extends Object3D {
         firstOf(dx, dy, dz) / k, secondOf(dx, dy, dz) / k, thirdOf(dx, dy, dz) / k, k);
   }
 
-  /** A hit of the object's frame at a distance of the scene; the normal goes by the inverse transpose. */
+  /** A hit of the object's frame at a distance of the scene; the normal is transformed by the inverse transpose. */
   private Hit inScene(final Hit hit, final double t) {
     final double x = hit.pointX(), y = hit.pointY(), z = hit.pointZ();
     final double gx = hit.geometricX(), gy = hit.geometricY(), gz = hit.geometricZ();
@@ -333,7 +333,7 @@ public class AffineTransformation extends Object3D {
         hit.textureU(), hit.textureV());
   }
 
-  /** A component of a normal by the inverse transpose. */
+  /** A component of a normal transformed by the inverse transpose. */
   private double columnOf(final int column, final double x, final double y, final double z) {
     return column == 0 ? toObject.m00 * x + toObject.m10 * y + toObject.m20 * z
         : column == 1 ? toObject.m01 * x + toObject.m11 * y + toObject.m21 * z
@@ -341,9 +341,9 @@ public class AffineTransformation extends Object3D {
   }
 
   /**
-   * Error bound in the scene of a point of the object: a step along the scene's normal is a step off the surface in the
-   * object's frame that is as much longer as the normal that the inverse transpose made is. There it must exceed the bound
-   * of the object and what rounding does to the start of a ray on its way to the object's frame.
+   * Error bound in the scene of a point of the object. A step along the scene's unit normal leads off the surface in the
+   * object's frame by the length of the normal before it was normalised. There it must exceed the object's bound and the
+   * rounding of the start of a ray that is transformed to the object's frame.
    */
   private double errorBound(final double local, final double size, final double lengthOfNormal) {
     return (local + ROUNDING * norm * (size + Math.abs(shiftX) + Math.abs(shiftY) + Math.abs(shiftZ))) / lengthOfNormal
@@ -422,7 +422,7 @@ public class AffineTransformation extends Object3D {
   /**
    * The object that is transformed.
    *
-   * @return the object, in a frame of its own
+   * @return the object, in its own frame
    */
   public Object3D getObject() {
     return object;

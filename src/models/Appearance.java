@@ -9,16 +9,16 @@ import materials.Material;
 import materials.Texture;
 
 /**
- * How an object looks: its colour or its texture where there is no illumination, and its material where there is. With it a
- * shape has one constructor that does the work, and others that say what it is made of.
+ * How an object looks: its colour or its texture where there is no illumination, and its material where there is. So each
+ * shape has one constructor that does the work, and others that wrap a colour or a material.
  *
- * @param color the colour, of a texture its mean; null for an object whose parts have theirs
+ * @param color the colour, or the mean of a texture; null for an object whose parts have colours of their own
  * @param material the material; null if the object is matte, of its colour at each point
- * @param texture the texture; null if the object has its colour everywhere
+ * @param texture the texture; null if the object has one colour everywhere
  */
 public record Appearance(Color color, Material material, Texture texture) {
 
-  /** The appearance of what has neither colour nor material of its own. */
+  /** The appearance of an object with neither colour nor material of its own. */
   static final Appearance NONE = new Appearance(null, null, null);
 
   /** An appearance without texture. */
@@ -38,7 +38,7 @@ public record Appearance(Color color, Material material, Texture texture) {
   }
 
   /**
-   * The appearance of a material; its colour is the one that stands for it.
+   * The appearance of a material, in the colour that it has without illumination.
    *
    * @param material the material
    * @return the appearance

@@ -8,7 +8,7 @@ import java.util.Arrays;
  */
 public final class AveragedNormals {
 
-  /** A sum this small beside the areas that went into it is what rounding leaves of facets that cancel each other. */
+  /** Relative size below which a sum is the rounding error of areas that cancel. */
   private static final double CANCELLED = 1e-6;
 
   /** Polygons of more corners are sorted to find vertices that occur twice. */
@@ -62,8 +62,7 @@ public final class AveragedNormals {
    * The averages.
    *
    * @param number number of vertices
-   * @return three components of a unit vector for each vertex; zeros where the facets cancel each other, or where there are
-   *     none
+   * @return three components of a unit vector for each vertex; zeros where the facets cancel, or where there are none
    */
   public float[] of(final int number) {
     final float[] normals = new float[3 * number];

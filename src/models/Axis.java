@@ -9,7 +9,7 @@ import primitives.BoundingBox;
 import primitives.Point3D;
 import primitives.Vector3D;
 
-/** The axis of a round object: a point of it and a unit direction, in double. */
+/** The axis of a round shape: one of its points and a unit direction, in double. */
 final class Axis {
 
   final double x;
@@ -38,7 +38,7 @@ final class Axis {
     uz = direction.z / length;
   }
 
-  /** Length of a vector, without the overflow or underflow of its squares in float. */
+  /** Length of a vector, without overflow or underflow of the squares in float. */
   static double length(final Tuple3f v) {
     return Math.sqrt((double) v.x * v.x + (double) v.y * v.y + (double) v.z * v.z);
   }
@@ -57,7 +57,7 @@ final class Axis {
   }
 
   /**
-   * Box about a disc, or about what it sweeps along the axis.
+   * Box about a disc, or about the solid that it sweeps along the axis.
    *
    * @param half half the length swept, to either side of the point
    * @param r radius of the disc, whose plane is perpendicular to the axis
@@ -77,7 +77,7 @@ final class Axis {
     return BoundingBox.around(x + s * ux, y + s * uy, z + s * uz, r * acrossX(), r * acrossY(), r * acrossZ());
   }
 
-  /** Box about a ball, or about what it sweeps along the axis. See {@link #boxAroundDisc}. */
+  /** Box about a ball, or about the solid that it sweeps along the axis. See {@link #boxAroundDisc}. */
   BoundingBox boxAroundBall(final double half, final double r) {
     return BoundingBox.around(x, y, z, half * Math.abs(ux) + r, half * Math.abs(uy) + r, half * Math.abs(uz) + r);
   }

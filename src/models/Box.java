@@ -21,7 +21,7 @@ import tracer.Ray;
  * <p>The ray is transformed to the box's frame and intersected with three slabs. If x and dx are its start and direction
  * along i, it is within the first slab between t = (−w/2 − x) / dx and t = (w/2 − x) / dx; likewise along j and k; and it
  * is in the box while it is within all three. Source: Kay and Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986. A ray
- * parallel to a slab has a branch of its own, since 0 · ∞ is NaN. The face of a hit is the one closest to the computed
+ * parallel to a slab takes a separate branch, since 0 · ∞ is NaN. The face of a hit is the one closest to the computed
  * point, which is moved onto it.
  */
 public class Box extends Object3D {

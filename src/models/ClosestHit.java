@@ -4,12 +4,12 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * The closest hit of one ray with the objects of a group asked so far. Distances are compared as floats, and at the same
+ * The closest hit of one ray with the objects of a group tested so far. Distances are compared as floats, and at the same
  * distance the object first added wins, as in {@link TileHits}.
  */
 final class ClosestHit {
 
-  /** One plus what a float can be off: two distances closer than that may count as the same. */
+  /** One plus the relative error of a float: two distances closer than that may compare as equal. */
   static final double SAME = 1 + 0x1p-22;
 
   private final Ray ray;
@@ -22,7 +22,7 @@ final class ClosestHit {
     this.ray = ray;
   }
 
-  /** Asks an object that was added as number {@code itsOrder}. */
+  /** Tests an object that was added as number {@code itsOrder}. */
   void ask(final Object3D asked, final int itsOrder) {
     final double distance = asked.distance(ray.startX(), ray.startY(), ray.startZ(),
         ray.directionX(), ray.directionY(), ray.directionZ());

@@ -5,12 +5,12 @@ import static arguments.Arguments.notNull;
 import tracer.Ray;
 
 /**
- * What it costs to find out what one ray meets: the number of objects that are asked, without those that the tree of
- * their boxes leaves out; of a mesh, the number of its triangles that are tested; of an object that is marched to, the
- * number of steps of its {@link SphereTrace}.
+ * What it costs to find the closest hit of one ray: the number of objects tested, without those that the tree of their
+ * boxes culls; of a mesh, the number of triangles tested; of a ray-marched object, the number of steps of its
+ * {@link SphereTrace}.
  *
- * <p>This is a matter of looking closer. It asks the question anew and counts; no other question is slowed down by it. In
- * an image, rays that are close together are traced together, and share some of this work.
+ * <p>For inspection: it traces the ray once more and counts, so that ordinary queries are not slowed down. In an image,
+ * neighbouring rays are traced together and share some of this work.
  */
 public final class Cost {
 
@@ -18,9 +18,9 @@ public final class Cost {
   }
 
   /**
-   * The cost of one question.
+   * The cost of one ray.
    *
-   * @param object what is asked, a whole scene for example
+   * @param object the object, such as a whole scene
    * @param ray the ray; {@link Ray#NORAY} costs nothing
    * @return number of tests and steps, at least 0
    * @throws IllegalArgumentException if an argument is null

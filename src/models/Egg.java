@@ -19,15 +19,15 @@ import tracer.Ray;
  *
  * <p><img src="doc-files/Egg.png" width="320" height="240" alt="An egg, and its axis">
  *
- * <p>It is a convex surface of revolution with its poles at y = ±b, the pointed one at y = b, and with the largest radius,
- * which is a, at y = −w. For w → 0 it becomes the ellipsoid of radii a, b, a. The equation has a second, unbounded sheet
- * below y = −(b² + w²) / 2w, which is no part of the egg.
+ * <p>It is a convex surface of revolution with its poles at y = ±b, the pointed one at y = b, and with the largest
+ * radius, which is a, at y = −w. For w → 0 it becomes the ellipsoid of radii a, b, a. The equation has a second,
+ * unbounded sheet below y = −(b² + w²) / 2w, which is not part of the egg.
  *
  * <p>Along a ray the equation is a cubic in t. Its roots are not taken from Cardano's formula, which cancels, but
- * approached by Newton's method from both ends of a stretch that is known to contain them ({@code EggChord}); t counts from
- * the point of the ray closest to C, so that nothing is lost when the ray comes from far away. The point of a hit is moved
- * onto the surface by one more Newton step along the normal (x q, w (x² + z²) + a² y, z q), q = b² + 2 w y + w². Source
- * of the curve: Petrović and Malešević, "Hügelschäffer egg curve and surface", Applicable Analysis and Discrete
+ * approached by Newton's method from both ends of a stretch that is known to contain them ({@code EggChord}); t counts
+ * from the point of the ray closest to C, so that no digits are lost when the ray comes from far away. The point of a hit
+ * is moved onto the surface by one more Newton step along the normal (x q, w (x² + z²) + a² y, z q), q = b² + 2 w y + w².
+ * Source of the curve: Petrović and Malešević, "Hügelschäffer egg curve and surface", Applicable Analysis and Discrete
  * Mathematics, 2022.
  */
 public class Egg extends Object3D {

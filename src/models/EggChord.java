@@ -12,7 +12,7 @@ package models;
  */
 final class EggChord {
 
-  /** More steps than Newton's method ever takes: 53 halvings along a tangent or at a sharp rim, and a few more. */
+  /** More steps than Newton's method ever takes: 53 halvings along a tangent or at a sharp rim, and a few to spare. */
   private static final int STEPS = 100;
 
   /** Parameter at which the line enters; NaN if it misses the egg. */

@@ -4,17 +4,17 @@ package models;
  * The curve that an {@link Egg} is the surface of revolution of: its radius ρ at a height y along the axis,
  * ρ² = a² (b² − y²) / (b² + 2 w y + w²) for |y| ≤ b.
  *
- * <p>Heights are measured from both poles, h = b + y and b − y, so that nothing cancels near them; and as
- * b² + 2 w y + w² = (b − w)² + 2 w h, a sum of positive terms, it keeps its digits also where w is close to b.
+ * <p>Heights are measured from both poles, h = b + y and b − y, so that nothing cancels near them; and b² + 2 w y + w² =
+ * (b − w)² + 2 w h is a sum of positive terms, which is accurate even where w is close to b.
  */
 final class EggProfile {
 
-  /** Steps of the golden section search: enough to narrow the half circle down to rounding. */
+  /** Steps of the golden section search: enough to narrow the half circle down to the rounding error. */
   private static final int STEPS = 80;
 
   private static final double GOLDEN = 0.5 * (Math.sqrt(5) - 1);
 
-  /** Rounding of the search's result, as a part of the radius and the half length. */
+  /** Rounding of the search's result, relative to the radius and the half length. */
   private static final double NOISE = 0x1p-40;
 
   final double a;
@@ -34,7 +34,7 @@ final class EggProfile {
     return square + 2 * w * h;
   }
 
-  /** ρ² at a height; a height that rounding has taken beyond a pole counts as that of the pole. */
+  /** ρ² at a height, which is clamped to the poles. */
   double radiusSquared(final double y) {
     final double h = Math.max(0, b + y);
     return a * a * (h * Math.max(0, b - y)) / denominator(h);

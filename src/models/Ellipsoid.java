@@ -22,26 +22,26 @@ import tracer.Ray;
  * <p>For the point q = (a/Rx, b/Ry, c/Rz) let κ = |q|, which is less than 1 inside and more than 1 outside. {@link #SDF}
  * is a lower bound of the distance, and its ratio to the distance tends to 1 towards the surface:
  * <ul>
- * <li>outside, the distance to the plane tangent to the ellipsoid at q/κ, all of which lies beyond that plane;</li>
+ * <li>outside, the distance to the tangent plane at q/κ, beyond which the whole ellipsoid lies;</li>
  * <li>inside, the least s at which κ can reach 1: after a step of length s, κ² has grown by at most 2 g s + s²/m², where g
  *     is half the gradient of κ² and m the least radius.</li>
  * </ul>
  *
- * <p>The march is sphere tracing whose steps take the direction into account. Hart's step ends on a sphere that is known to
- * be empty; the step here ends on a plane that has the ellipsoid behind it: q·x = (1 + κ²)/2, parallel to the tangent plane
- * and just outside it, since (1 + κ²)/2 ≥ κ. It needs no root, never passes the surface, and the steps shrink
- * quadratically, or by halves along a tangent. For a ray that starts inside, the march goes backwards from beyond the
- * ellipsoid: as that is convex, the first crossing found is the only one ahead of the start.
+ * <p>The march is sphere tracing with steps that take the direction into account. Hart's step ends on a sphere that is
+ * known to be empty; the step here ends on a plane that has the ellipsoid behind it: q·x = (1 + κ²)/2, parallel to the
+ * tangent plane and just outside it, since (1 + κ²)/2 ≥ κ. It needs no square root and never passes the surface; the
+ * steps shrink quadratically, or by halves along a tangent. For a ray that starts inside, the march goes backwards from
+ * beyond the ellipsoid: as that is convex, the first crossing found is the only one ahead of the start.
  *
  * <p>Source of the scheme: Hart, "Sphere tracing", The Visual Computer 12, 1996; the planes are supporting planes of a
  * convex set, Rockafellar, "Convex Analysis", 1970, §11.
  */
 public class Ellipsoid extends ProceduralObject3D {
 
-  /** Length of the step after which the march ends, as a part of the distance left: the next would be its square. */
+  /** Length of the step after which the march ends, relative to the remaining distance: the next would be its square. */
   private static final double CLOSE = 0x1p-20;
 
-  /** Rounding errors of {@link #SDF} and of the upper bound, as a part of the distance from the centre and the size. */
+  /** Rounding errors of {@link #SDF} and of the upper bound, relative to the distance from the centre plus the size. */
   private static final double SDF_NOISE = 0x1p-48;
 
   private final Frame frame;

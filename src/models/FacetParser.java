@@ -18,7 +18,7 @@ import primitives.Vector3D;
 
 /**
  * Reads the facets of a mesh from strings of three corners. Each begins with the index of a vertex; what follows after
- * {@code /} are those of texture coordinates and of a normal, which only smooth meshes and meshes with textures look at.
+ * {@code /} are those of texture coordinates and of a normal, which only smooth or textured meshes use.
  */
 final class FacetParser {
 
@@ -159,7 +159,7 @@ final class FacetParser {
     }
   }
 
-  /** What a message says of a corner: its text, and the text and the number of its facet. */
+  /** How messages identify a corner: by its text, and the text and number of its facet. */
   private record Corner(String token, String facet, int number) {
   }
 
@@ -168,7 +168,7 @@ final class FacetParser {
     return indices.length <= place || indices[place].isEmpty() ? -1 : number(numbers, indices[place], key, corner);
   }
 
-  /** The number of what an index names; the key is that of the message if it names nothing. */
+  /** The number of the element that an index names; if there is none, the exception has the message of the key. */
   private static int number(final Map<Integer, Integer> numbers, final String index, final String key,
       final Corner corner) {
     try {

@@ -16,15 +16,15 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * The objects of a group as they were at some moment, groups within it opened up: those that are unbounded first, the
- * others in the order of a tree of their boxes. Immutable.
+ * A snapshot of the objects of a group, with nested groups flattened: unbounded objects first, the others in the order of
+ * a tree of their boxes. Immutable.
  */
 final class FlatGroup {
 
-  /** Objects to a leaf of the tree: to look at a box costs about as much as to ask a simple object. */
+  /** Objects per leaf of the tree: testing a box costs about as much as testing a simple object. */
   private static final int LEAF = 2;
 
-  /** Shapes that never change; of others the boxes are asked for before each picture. */
+  /** Shapes that never change; the boxes of others are queried before each picture. */
   private static final Set<Class<?>> IMMUTABLE = Set.of(Box.class, Capsule.class, Cylinder.class, Egg.class,
       Ellipsoid.class, Plane.class, Sphere.class, Torus.class, Triangle.class, TriangularMesh.class, TruncatedCone.class);
 
@@ -107,12 +107,12 @@ final class FlatGroup {
     return new FlatGroup(OpenedGroup.membersOf(group), additions);
   }
 
-  /** Whether these are the members after so many additions. */
+  /** Whether this is the snapshot after a number of additions. */
   boolean isOf(final long number) {
     return additions == number;
   }
 
-  /** Whether the box of an object is no longer what it was, or cannot be had. */
+  /** Whether the box of an object has changed, or cannot be computed. */
   boolean isOutdated() {
     try {
       for (final int i : changeable) {
@@ -209,7 +209,7 @@ final class FlatGroup {
     });
   }
 
-  /** What the same question costs: the objects are asked in the same way, and each reports its cost. */
+  /** The cost of the same query: the objects are visited in the same order, and each reports its cost. */
   int cost(final Ray ray) {
     final ClosestHit closest = new ClosestHit(ray);
     final int[] cost = new int[1];
@@ -251,7 +251,7 @@ final class FlatGroup {
     return hits.farthest();
   }
 
-  /** For rays that have too little in common to be traced together. */
+  /** For rays too incoherent to be traced together. */
   private void rayByRay(final RayTile rays, final TileHits hits) {
     for (int row = 0; row < rays.rows(); row++) {
       for (int i = row * RayTile.SIZE; i < row * RayTile.SIZE + rays.columns(); i++) {

@@ -8,8 +8,8 @@ import primitives.Vector3D;
 import primitives.BoundingBox;
 
 /**
- * The frame of an object: an origin C and three orthonormal axes i, j, k, right-handed, in double. It takes points and
- * directions of the scene to coordinates of the object.
+ * The frame of an object: an origin C and three orthonormal axes i, j, k, right-handed, in double. It transforms points
+ * and directions of the scene to coordinates of the object.
  */
 final class Frame {
 
@@ -62,7 +62,7 @@ final class Frame {
     return new Vector3D((float) jx, (float) jy, (float) jz);
   }
 
-  /** First coordinate of a direction, or of a point less the origin. */
+  /** First coordinate of a direction, or of a point relative to the origin. */
   double alongI(final double vx, final double vy, final double vz) {
     return vx * ix + vy * iy + vz * iz;
   }

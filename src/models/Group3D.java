@@ -19,15 +19,15 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * A group of objects, which is an object itself: the way to put a scene together.
+ * A group of objects, itself an object: scenes are built of groups.
  *
  * <p><img src="doc-files/Group3D.png" width="320" height="240" alt="A group of a sphere, a box, and a torus">
  *
- * <p>Its hit by a ray is the closest hit of its objects; of two at the same distance, that of the object added first.
- * Instead of asking all of them it keeps a tree of their boxes ({@link acceleration.Bvh}), which is made at the
- * first query after an {@link #addObject} to it or to a group within it; the hits are the same. Groups within a group
- * are opened up for that. Safe for use by several threads: an object that is added while another thread queries the group
- * belongs to it for the queries that begin after {@code addObject} has returned.
+ * <p>Its hit is the closest hit of its objects; of two at the same distance, that of the object added first. Instead of
+ * testing all of them it keeps a tree of their boxes ({@link acceleration.Bvh}), which is built at the first query after
+ * an {@link #addObject} to it or to a nested group; the hits are the same. Nested groups are flattened for that. Safe for
+ * use by several threads: an object that is added while another thread queries the group belongs to it for the queries
+ * that begin after {@code addObject} has returned.
  */
 public class Group3D extends Object3D {
 
@@ -35,14 +35,14 @@ public class Group3D extends Object3D {
   private static final Object ADDING = new Object();
 
   private final List<Object3D> objects = new ArrayList<>();
-  /** The groups that it is within, directly or transformed. */
+  /** The groups that contain it, directly or transformed. */
   private final List<WeakReference<Group3D>> containers = new ArrayList<>();
-  /** Whether a tree that is up to date, its own or that of a group that it is within, was built of its objects. */
+  /** Whether its objects are in an up-to-date tree, its own or that of a group that contains it. */
   private volatile boolean isInTree;
-  /** How often its tree was put out of date. */
+  /** How often its tree was invalidated. */
   private volatile long additions;
   private volatile FlatGroup members;
-  /** Whether it is within another object, and so can come to contain itself. */
+  /** Whether another object contains it, so that it could come to contain itself. */
   private volatile boolean isPart;
 
   /** An empty group. */
@@ -71,7 +71,9 @@ public class Group3D extends Object3D {
     }
   }
 
-  /** Puts the trees out of date that were built of the objects of this group. Above a group that is in none, all are. */
+  /**
+   * Invalidates the trees that contain the objects of this group. Above a group in no such tree, all are invalid already.
+   */
   private void countAddition() {
     final Deque<Group3D> open = new ArrayDeque<>(List.of(this));
     while (!open.isEmpty()) {
@@ -89,7 +91,7 @@ public class Group3D extends Object3D {
     }
   }
 
-  /** Its objects become part of a tree, which the next addition puts out of date. */
+  /** Its objects become part of a tree, which the next addition invalidates. */
   @Override
   void addTo(final OpenedGroup opened) {
     isInTree = true;
@@ -125,7 +127,7 @@ public class Group3D extends Object3D {
   /**
    * The objects of the group, in the order in which they were added.
    *
-   * @return a list of its own, which does not change
+   * @return an immutable copy of the list
    */
   public List<Object3D> getObjects() {
     synchronized (objects) {
@@ -134,9 +136,9 @@ public class Group3D extends Object3D {
   }
 
   /**
-   * The objects of the group with those of the groups within it in their place.
+   * The objects of the group, with nested groups replaced by their objects.
    *
-   * @return a list of its own without groups, in the order in which a ray asks them, each object once
+   * @return an immutable list without groups, in the order in which a ray visits them, each object once
    */
   public List<Object3D> getMembers() {
     return OpenedGroup.membersOf(this);
@@ -163,8 +165,8 @@ public class Group3D extends Object3D {
   }
 
   /**
-   * Takes note of user-written objects whose boxes have changed. A picture begins with it; who queries the group himself
-   * calls it after such a change.
+   * Takes note of user-written objects whose boxes have changed. Called at the start of a picture; code that queries the
+   * group directly calls it after such a change.
    */
   public void refresh() {
     final FlatGroup known = members;
@@ -192,7 +194,7 @@ public class Group3D extends Object3D {
   }
 
   /**
-   * Whether a ray hits any object of the group before a distance. It is found sooner than which of them it hits first.
+   * Whether a ray hits any object of the group before a distance. Faster than finding the closest hit.
    *
    * @param ray the ray; {@link Ray#NORAY} hits nothing
    * @param tmax the distance in scene units; a hit at this very distance does not count
@@ -233,7 +235,7 @@ public class Group3D extends Object3D {
    * Offers the closest hits of the rays of a tile: what {@link #intersectionWith} returns for each of them.
    *
    * @param rays the rays
-   * @param hits the hits found so far, {@link TileHits#clear cleared} by whoever begins
+   * @param hits the hits found so far, {@link TileHits#clear cleared} by the caller
    */
   @Override
   public void closestHits(final RayTile rays, final TileHits hits) {

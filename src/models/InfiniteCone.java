@@ -4,11 +4,11 @@ package models;
  * Where a line enters and leaves one half of an infinite circular cone, |R′ + t v′| ≤ r + t ṙ: the half in which r + t ṙ,
  * the radius at the height of the line's point, is positive.
  *
- * <p>Let t count from the point of the line closest to the axis, at the distance m from it, where the radius is r₀. Then the
- * condition becomes a t² − 2 ṙ r₀ t + m² − r₀² ≤ 0 with a = v′² − ṙ². For a line flatter than the cone, a &gt; 0, it holds
- * somewhere in this half if r₀ |v′| ≥ m √a. Nothing cancels there but r₀, if the line passes the tip or almost follows a
- * generator, and r₀ by no more than the rounding of the line's position: with the tip as origin its sign stays right however
- * close to the tip the line passes. A line that is steeper than the cone, a ≤ 0, enters each half once.
+ * <p>Let t count from the point of the line closest to the axis, at the distance m from it, where the radius is r₀. Then
+ * the condition becomes a t² − 2 ṙ r₀ t + m² − r₀² ≤ 0 with a = v′² − ṙ². For a line flatter than the cone, a &gt; 0, it
+ * holds somewhere in this half if r₀ |v′| ≥ m √a. Only r₀ can cancel, if the line passes near the tip or almost follows a
+ * generator, and its error is no more than the rounding of the line's position: with the tip as origin its sign is right
+ * however close to the tip the line passes. A line that is steeper than the cone, a ≤ 0, enters each half once.
  */
 final class InfiniteCone {
 
@@ -28,7 +28,7 @@ final class InfiniteCone {
    * @param dy second component
    * @param dz third component
    * @param r radius of the cone at the height of R
-   * @param growth ṙ, by how much the radius grows along the line while t grows by 1
+   * @param growth ṙ, growth of the radius along the line per unit of t
    */
   InfiniteCone(final double px, final double py, final double pz, final double dx, final double dy, final double dz,
       final double r, final double growth) {

@@ -15,26 +15,26 @@ import tracer.Ray;
 /**
  * An object that rays can hit, and its colour or material.
  *
- * <p>A new kind of object extends this class and writes {@link #intersectionWith}, nothing else; if it has an end it
- * should also write {@link #getBoundingBox}, so that rays that pass it by need not be asked. The contract of an
- * intersection, the same for all shapes:
+ * <p>A new kind of object extends this class and implements {@link #intersectionWith}, nothing else; if it is bounded it
+ * should also override {@link #getBoundingBox}, so that it is not tested against rays that miss its box. The contract of
+ * an intersection, the same for all shapes:
  * <ul>
- * <li>t is the smallest t &gt; 0 at which the ray meets the surface, the distance from its start in scene units; from
- *     the inside of a closed object that is its far wall. A ray that starts exactly on the surface may or may not
- *     meet it there; a tangent ray may or may not touch;</li>
+ * <li>t is the smallest t &gt; 0 at which the ray hits the surface, the distance from its start in scene units; from the
+ *     inside of a closed object that is its far wall. A ray that starts exactly on the surface may or may not hit it
+ *     there; a tangent ray may hit or miss;</li>
  * <li>the normal is of unit length and belongs to the surface: outward, never turned towards the ray;</li>
  * <li>if there is no such t the result is {@link Hit#NOHIT}, as it always is for {@link Ray#NORAY};</li>
  * <li>the object is not changed, so that several threads can query it at once. Between two pictures it may change, its box
  *     too: a picture shows it as it is when its {@code synthesis} begins, and it must not change before that ends.</li>
  * </ul>
  *
- * <p>The shapes of this package are faster by the three methods that only they see: {@link #distance}, a formula
- * for t alone; {@link #hitAt}, which makes the hit once the closest t is known; and {@link #closestHits}, for all rays
- * of a tile at once. Each has a default that calls {@link #intersectionWith}.
+ * <p>The shapes of this package are faster because they override three package-private methods: {@link #distance}, a
+ * formula for t alone; {@link #hitAt}, which makes the hit once the closest t is known; and {@link #closestHits}, for all
+ * rays of a tile at once. Each has a default that calls {@link #intersectionWith}.
  */
 public abstract class Object3D {
 
-  /** What a limit is multiplied by where distances have only floats behind them: what is at the limit is not before it. */
+  /** Factor of a limit where distances have float accuracy only: a hit at the limit must not count as nearer. */
   private static final double FLOAT_LIMIT = 1 - 0x1p-21;
 
   private final Color color;
@@ -51,7 +51,8 @@ public abstract class Object3D {
   }
 
   /**
-   * An object of a material. Where there is no illumination, it has the colour that stands for the material.
+   * An object of a material. Where there is no illumination, it has the {@linkplain Material#getColor colour} of the
+   * material.
    *
    * @param material its material
    * @throws IllegalArgumentException if the material is null
@@ -71,7 +72,7 @@ public abstract class Object3D {
     this(new Appearance(notNull("color", color), notNull("material", material)));
   }
 
-  /** An object that has no colour of its own, but parts that have theirs. */
+  /** An object without a colour, whose parts have colours of their own. */
   Object3D() {
     this(Appearance.NONE);
   }
@@ -101,7 +102,7 @@ public abstract class Object3D {
   }
 
   /**
-   * A box that contains the object. The default contains all of space, so that every ray crosses it.
+   * A box that contains the object. The default contains all of space, so that every ray hits it.
    *
    * @return the box; no hit lies outside
    */
@@ -110,16 +111,16 @@ public abstract class Object3D {
   }
 
   /**
-   * Where a ray first meets the object.
+   * The first hit of a ray with the object.
    *
-   * @param ray the ray; {@link Ray#NORAY} meets nothing
+   * @param ray the ray; {@link Ray#NORAY} hits nothing
    * @return the intersection of smallest t &gt; 0, or {@link Hit#NOHIT}
    * @throws IllegalArgumentException if the ray is null
    */
   public abstract Hit intersectionWith(Ray ray);
 
   /**
-   * The colour to be painted at a hit of this object. A pattern of one's own overrides it.
+   * The colour to be painted at a hit of this object. Override it for a pattern.
    *
    * @param hit the hit, whose object is this one
    * @return the colour; by default {@link #getColor()}
@@ -131,10 +132,10 @@ public abstract class Object3D {
   }
 
   /**
-   * What a constructor of its class makes the same object of: points, vectors, numbers, objects and the colour, in the order
-   * of the parameters. A class that returns them can have its hits written down as tests.
+   * The arguments with which a constructor of its class recreates the object: points, vectors, numbers, objects and the
+   * colour, in the order of the parameters. The inspector can write tests for hits of a class that returns them.
    *
-   * @return the arguments; empty, as by default, if they are not known
+   * @return the arguments; empty, the default, if they are not known
    */
   public List<Object> constructorArguments() {
     return List.of();
@@ -146,17 +147,16 @@ public abstract class Object3D {
   }
 
   /**
-   * The objects that this one is made of, each of which can be asked by itself: those of a group, the one that is
-   * transformed.
+   * The objects that this one consists of: those of a group, or the one that a transformation transforms.
    *
-   * @return a list that does not change; empty, as by default, for a shape
+   * @return an immutable list; empty, the default, for a shape
    */
   public List<Object3D> parts() {
     return List.of();
   }
 
   /**
-   * A ray as the {@link #parts()} see it.
+   * A ray in the frame of the {@link #parts()}.
    *
    * @param ray a ray in the frame of this object
    * @return the ray in the frame of the parts, its direction of unit length there; by default the same
@@ -180,10 +180,10 @@ public abstract class Object3D {
   }
 
   /**
-   * Distance at which a ray, given as six numbers so that nothing needs to be allocated, first meets the object.
+   * Distance of the first hit of a ray, given as six numbers so that nothing needs to be allocated.
    *
-   * @return the smallest t &gt; 0; infinity if there is none, also for a ray of NaN; NaN from an object that has no
-   *     such formula and wants {@link #intersectionWith} to be asked, as by default
+   * @return the smallest t &gt; 0; infinity if there is none, also for a ray of NaN; NaN, the default, from an object
+   *     without such a formula, for which {@link #intersectionWith} is to be called
    */
   double distance(final double x, final double y, final double z, final double dx, final double dy, final double dz) {
     return Double.NaN;
@@ -210,13 +210,13 @@ public abstract class Object3D {
     }
   }
 
-  /** Whether {@link #closestHits} does better than to ask ray by ray. */
+  /** Whether {@link #closestHits} is better than testing ray by ray. */
   boolean answersTiles() {
     return false;
   }
 
   /**
-   * Whether a ray hits the object before a distance: what shadows ask.
+   * Whether a ray hits the object before a distance: the query of shadow rays.
    *
    * @param tmax the distance; a hit at this very distance does not count
    */
@@ -226,7 +226,7 @@ public abstract class Object3D {
     return Double.isNaN(t) ? askFor(this, ray).distance() < tmax * FLOAT_LIMIT : t > 0 && t < tmax;
   }
 
-  /** Adds to the members of a group what this part of it stands for: itself, or the objects of a group. */
+  /** Adds this part of a group to its members: itself, or the objects of a group. */
   void addTo(final OpenedGroup members) {
     members.add(this);
   }
@@ -258,14 +258,14 @@ public abstract class Object3D {
     return getColor().getRGB();
   }
 
-  /** What a question costs, see {@link Cost}. */
+  /** The cost of a query, see {@link Cost}. */
   int cost(final Ray ray) {
     return 1;
   }
 
   /**
-   * What an object returns for a ray, where a user-written object may return null. If it is the object that the ray leaves,
-   * a hit on the spot does not count: what is behind it does.
+   * The hit of a ray with an object, where a user-written object may return null. If it is the object that the ray
+   * leaves, a hit at the start is ignored and the search continues behind it.
    */
   static Hit askFor(final Object3D object, final Ray ray) {
     final Hit hit = notNullHit(object, object.intersectionWith(ray));

@@ -8,14 +8,14 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
 
-/** The objects of a group and of all groups within it, in the order in which they are asked, each once. */
+/** The objects of a group and of all nested groups, in the order in which they are tested, each once. */
 final class OpenedGroup {
 
   private final List<Object3D> members = new ArrayList<>();
   private final Set<Object3D> seen = Collections.newSetFromMap(new IdentityHashMap<>());
   private final Deque<Object3D> open = new ArrayDeque<>();
 
-  /** The members of a group; not by recursion, since there may be thousands of groups within each other. */
+  /** The members of a group; without recursion, since thousands of groups may be nested. */
   static List<Object3D> membersOf(final Group3D group) {
     final OpenedGroup opened = new OpenedGroup();
     opened.open.push(group);
@@ -28,7 +28,7 @@ final class OpenedGroup {
     return opened.members;
   }
 
-  /** Adds an object that is no group. */
+  /** Adds an object that is not a group. */
   void add(final Object3D object) {
     members.add(object);
   }

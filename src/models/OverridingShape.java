@@ -7,12 +7,12 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * A user-written subclass of a shape of the library with an {@link Object3D#intersectionWith} of its own: it is asked by
- * that method alone, and not by the formulas that it inherits.
+ * A user-written subclass of a shape of the library with an {@link Object3D#intersectionWith} of its own: only that
+ * method is called, and not the formulas that it inherits.
  */
 final class OverridingShape extends Object3D {
 
-  /** Of each class whether it overrides the intersection but not the formulas for the same in the library. */
+  /** For each class, whether it overrides the intersection but not the library's formulas for it. */
   private static final ClassValue<Boolean> OVERRIDES = new ClassValue<>() {
     @Override
     protected Boolean computeValue(final Class<?> type) {
@@ -47,7 +47,7 @@ final class OverridingShape extends Object3D {
     return false;
   }
 
-  /** What is to be asked for an object: itself, unless it overrides the intersection of a shape of the library. */
+  /** The object to be tested: the given one, wrapped if it overrides the intersection of a shape of the library. */
   static Object3D asked(final Object3D object) {
     return OVERRIDES.get(object.getClass()) ? new OverridingShape(object) : object;
   }

@@ -2,10 +2,10 @@ package models;
 
 import tracer.Hit;
 
-/** Whether objects of a class are painted by a {@link Object3D#getColorAt} of their own. */
+/** Whether a class overrides {@link Object3D#getColorAt}. */
 final class Pattern {
 
-  /** Of each class; if {@link Object3D#isTextured} is of the same class, that decides instead. */
+  /** For each class; if {@link Object3D#isTextured} is declared by the same class, that decides instead. */
   private static final ClassValue<Boolean> OF_ITS_OWN = new ClassValue<>() {
     @Override
     protected Boolean computeValue(final Class<?> type) {

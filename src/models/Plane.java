@@ -13,8 +13,8 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * An infinite plane: (P − Q)·n = 0, with the normal n as it was given. Rays hit it from both sides; a ray within the plane
- * does not.
+ * An infinite plane: (P − Q)·n = 0, with the given normal n. Rays hit it from both sides; a ray within the plane does
+ * not.
  *
  * <p><img src="doc-files/Plane.png" width="320" height="240" alt="A plane, and its normal">
  *

@@ -13,10 +13,10 @@ import tracer.Ray;
  * to the surface.
  *
  * <p>A subclass implements {@link #SDF} and {@link #distanceUpperBound}, and {@link #intersectionWith} by calling
- * {@link #rayMarching}, which needs nothing else. Its accuracy is then limited by the floats that {@code SDF} takes and
- * returns. A subclass that can do better overrides package-private methods: {@link #signedDistance}, in doubles;
- * {@link #hitAt}, for a closed form of the normal; or {@link #march} itself, for steps that take the direction of the ray
- * into account, as {@link Torus} and {@link Ellipsoid} do.
+ * {@link #rayMarching}. Its accuracy is then limited by the floats that {@code SDF} takes and returns. The subclasses of
+ * this package do better by overriding package-private methods: {@link #signedDistance}, in doubles; {@link #hitAt}, for
+ * a closed form of the normal; or {@link #march} itself, for steps that take the direction of the ray into account, as
+ * {@link Torus} and {@link Ellipsoid} do.
  *
  * <p>Source of the scheme: Hart, "Sphere tracing: a geometric method for the antialiased ray tracing of implicit
  * surfaces", The Visual Computer 12, 1996; of the longer steps: Keinert et al., "Enhanced Sphere Tracing", STAG 2014.
@@ -29,7 +29,7 @@ abstract class ProceduralObject3D extends Object3D {
    */
   private static final double CONTACT = 0x1p-16;
 
-  /** Rounding to float of the coordinates of a point and of its distance, as a part of them. */
+  /** Relative rounding to float of the coordinates of a point and of its distance. */
   private static final double FLOAT_NOISE = 0x1p-22;
 
   /** Factor by which steps grow while the ray stays in contact, so that it can follow a flat face from end to end. */
@@ -93,14 +93,14 @@ abstract class ProceduralObject3D extends Object3D {
     return Hit.isDistance(t) ? hitAt(ray, t, 0) : Hit.NOHIT;
   }
 
-  /** {@link #SDF} in double; by default no more exact than SDF and the floats of its point. */
+  /** {@link #SDF} in double; by default no more accurate than SDF and the floats of its point. */
   double signedDistance(final double x, final double y, final double z) {
     return SDF(new Point3D((float) x, (float) y, (float) z));
   }
 
   /**
-   * The march: the distance at which a ray first hits the surface, or infinity. A ray that starts on the surface counts as
-   * being on the side where it is a little later.
+   * The march: the distance at which a ray first hits the surface, or infinity. A ray that starts on the surface counts
+   * as starting on the side that it is on a little farther ahead.
    */
   double march(final double x, final double y, final double z, final double dx, final double dy, final double dz) {
     final double end = upperBound(x, y, z), start = startOfMarch(x, y, z);
@@ -129,7 +129,7 @@ abstract class ProceduralObject3D extends Object3D {
     return Double.POSITIVE_INFINITY;
   }
 
-  /** Where to begin: at the start, or, if that lies on the surface, just far enough ahead to know the side. */
+  /** Where to begin: at the start, or, if that lies on the surface, just far enough ahead to determine the side. */
   private double startOfMarch(final double x, final double y, final double z) {
     final double contact = contact(x, y, z);
     return Math.abs(signedDistance(x, y, z)) <= contact / 16 ? contact : 0;

@@ -12,7 +12,7 @@ final class Quadratic {
   /**
    * Smaller root.
    *
-   * @param sqrtD square root of the discriminant b² − a c, which the caller computes as best it can be
+   * @param sqrtD square root of the discriminant b² − a c, computed by the caller as accurately as possible
    */
   static double smaller(final double a, final double b, final double c, final double sqrtD) {
     return b > 0 ? c / (b + sqrtD) : (b - sqrtD) / a;

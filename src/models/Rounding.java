@@ -3,9 +3,9 @@ package models;
 /**
  * Error bounds of points: see {@link tracer.Hit#errorBound()}.
  *
- * <p>A shape's arithmetic is a few dozen operations in double on numbers not larger than the coordinates and the size of
- * the shape, each of which adds at most 2<sup>−53</sup> of them. The bound is 128 such errors. That rays start off a surface
- * by the error of the shape is Pharr, Jakob and Humphreys, "Physically Based Rendering", 4th edition, 2023, section 6.8.
+ * <p>The arithmetic of a shape is a few dozen operations in double on numbers no larger than its coordinates and its
+ * size, each with a relative error of at most 2<sup>−53</sup>. The bound is 128 such errors. Starting rays off a surface
+ * by the error of the shape: Pharr, Jakob and Humphreys, "Physically Based Rendering", 4th edition, 2023, section 6.8.
  */
 final class Rounding {
 

@@ -27,8 +27,8 @@ final class Slab {
   }
 
   /**
-   * Which of the two planes of the slab a line hits. The coordinate of the point decides, unless the slab is so thin that it
-   * is lost in rounding; then the line's start and direction do.
+   * Which of the two planes of the slab a line hits. The coordinate of the point decides, unless the slab is so thin that
+   * rounding hides it; then the start and the direction of the line decide.
    *
    * @param hit coordinate of the point, computed from the line
    * @param s coordinate of the line's start
@@ -43,7 +43,7 @@ final class Slab {
     return Math.copySign(1, Math.abs(s) > h ? s : d);
   }
 
-  /** A coordinate within the slab: the given one, or that of the plane beyond which it is. */
+  /** A coordinate clamped to the slab. */
   static double within(final double s, final double h) {
     return Math.max(-h, Math.min(h, s));
   }

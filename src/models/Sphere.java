@@ -57,9 +57,9 @@ public class Sphere extends Object3D {
   }
 
   /**
-   * A sphere with a texture. With p = (P − C) / r, the point P of the sphere has the texture coordinates
-   * u = ½ + atan2(p.x, p.z) / 2π and v = ½ + asin(p.y) / π: the middle of the image faces +Z, its top is at +Y, it reads
-   * from left to right from outside, and the seam is on the side of −Z. An {@link AffineTransformation} turns it.
+   * A sphere with a texture. With p = (P − C) / r, the point P of the sphere has the texture coordinates u = ½ +
+   * atan2(p.x, p.z) / 2π and v = ½ + asin(p.y) / π: the middle of the image faces +Z, its top is at +Y, it is not
+   * mirrored when seen from outside, and the seam faces −Z. An {@link AffineTransformation} rotates it.
    *
    * @param C centre
    * @param r radius, &gt; 0
@@ -106,12 +106,12 @@ public class Sphere extends Object3D {
     return texture == null ? hit : hit.withShading(nx, ny, nz, textureU(nx, nz), textureV(nx, ny, nz));
   }
 
-  /** From left to right around the axis Y; the middle at the poles, where all are right. */
+  /** From left to right around the Y axis; ½ at the poles, where any value is right. */
   private static double textureU(final double px, final double pz) {
     return px == 0 && pz == 0 ? 0.5 : 0.5 + Math.atan2(px, pz) / (2 * Math.PI);
   }
 
-  /** From the lower pole to the upper; the arc tangent is the more exact arc sine near them. */
+  /** From the lower pole to the upper; near them the arc tangent is more accurate than the arc sine. */
   private static double textureV(final double px, final double py, final double pz) {
     return 0.5 + Math.atan2(py, Math.sqrt(px * px + pz * pz)) / Math.PI;
   }

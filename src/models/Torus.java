@@ -30,10 +30,10 @@ import tracer.Ray;
  */
 public class Torus extends ProceduralObject3D {
 
-  /** A ray whose direction has a smaller component along the axis stays at one height. */
+  /** A ray whose direction has a smaller component along the axis counts as perpendicular to it. */
   private static final double LEVEL = 0x1p-100;
 
-  /** Rounding errors of {@link #SDF}, as a part of the distance from the centre plus R + r. */
+  /** Rounding errors of {@link #SDF}, relative to the distance from the centre plus R + r. */
   private static final double SDF_NOISE = 0x1p-49;
 
   private final Axis axis;
@@ -96,8 +96,8 @@ public class Torus extends ProceduralObject3D {
   }
 
   /**
-   * Cuts the ray with the sphere of radius R + r about the centre. From here on t counts from the point p of the ray
-   * that is closest to the centre, so that nothing cancels when the ray comes from far away.
+   * Clips the ray to the sphere of radius R + r about the centre. From here on t counts from the point p of the ray that
+   * is closest to the centre, so that nothing cancels when the ray comes from far away.
    */
   @Override
   double march(final double x, final double y, final double z, final double dx, final double dy, final double dz) {
@@ -131,9 +131,9 @@ public class Torus extends ProceduralObject3D {
   }
 
   /**
-   * Takes the ray, whose parts across the axis are given, to numbers that do not depend on the frame: its height h over
-   * the ring's plane with its slope; and, looking along the axis, how fast it moves and the place along and beside
-   * its way, so that ρ² = (place + t speed)² + aside², of which neither cancels.
+   * Reduces the ray, whose components perpendicular to the axis are given, to numbers that do not depend on the frame:
+   * its height h above the ring's plane and its slope; and, seen along the axis, its speed and its position along and
+   * beside its path, so that ρ² = (place + t speed)² + aside², where neither term cancels.
    */
   private double across(final double start, final double enter, final double leave, final double qx, final double qy,
       final double qz, final double ex, final double ey, final double ez, final double h, final double slope) {
@@ -157,7 +157,7 @@ public class Torus extends ProceduralObject3D {
         errorBound(rho), this);
   }
 
-  /** Near the axis, where a torus with r &gt; R has its tips, the direction away from it is the less exact. */
+  /** Near the axis, where a torus with r &gt; R has its tips, the direction away from it is less accurate. */
   private double errorBound(final double rho) {
     return Rounding.bound(axis.x, axis.y, axis.z, 2 * outer) * (1 + R / rho);
   }
@@ -183,7 +183,7 @@ public class Torus extends ProceduralObject3D {
     return roundedUp((Math.sqrt(a * a + h * h) + r) * (1 + SDF_NOISE));
   }
 
-  /** Distance from the axis of a point less the centre, at height h. */
+  /** Distance from the axis of a point given relative to the centre, at height h. */
   private double fromAxis(final double px, final double py, final double pz, final double h) {
     final double qx = px - h * axis.ux, qy = py - h * axis.uy, qz = pz - h * axis.uz;
     return Math.sqrt(qx * qx + qy * qy + qz * qz);

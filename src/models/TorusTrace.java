@@ -3,15 +3,15 @@ package models;
 /**
  * The march to a torus along a ray, for {@link Torus}.
  *
- * <p>It is sphere tracing whose steps take the direction of the ray into account. Hart's step from a point ends where the
+ * <p>Sphere tracing with steps that take the direction of the ray into account. Hart's step from a point ends where the
  * ray leaves a sphere that is known to be empty, whose radius is the distance. Here the region known to be empty is
  * larger, and the point where the ray leaves it is the root of a quadratic. With D the distance to the ring and ρ that to
- * the axis, D² along the ray is a quadratic less 2 R ρ. So all that is needed are bounds of ρ, of which each may be taken
- * for a step of length s:
+ * the axis, D² along the ray is a quadratic less 2 R ρ. So bounds of ρ are all that is needed; any of these serves for a
+ * step of length s:
  * <ul>
  * <li>outside, ρ ≤ (ρ² + ρ₀²) / 2ρ₀ for any ρ₀ &gt; 0, the inequality between the geometric and the arithmetic mean. With
- *     it D² ≤ r² becomes a quadric of revolution, that contains the torus and touches it all along the circles of radius
- *     ρ₀. So a step cannot pass the surface, however thin the torus; and a ray that misses the quadric, or has left it
+ *     it D² ≤ r² becomes a quadric of revolution that contains the torus and touches it along the circles of radius ρ₀.
+ *     So a step cannot pass the surface, however thin the torus; and a ray that misses the quadric, or has left it
  *     behind, misses the torus;</li>
  * <li>inside, ρ ≥ ρ₀ + ρ₀′ s + ½ m s² with the least m that ρ″ has on the ray within the torus. A step cannot pass the
  *     far wall.</li>
@@ -23,31 +23,31 @@ package models;
  * So the number of steps is bounded by a multiple of the number of digits of a double.
  *
  * <p>A ray is given by numbers that do not depend on the frame: t counts from its point closest to the centre; h is the
- * height of that point above the ring's plane, and slope the change of height; and, seen along the axis, the ray moves at a
- * speed from a place on its way, passing the axis at the distance aside: ρ² = (place + t speed)² + aside². They are passed
- * one by one, as a miss should not allocate anything.
+ * height of that point above the ring's plane, and slope the change of height; and, seen along the axis, the ray moves at
+ * a speed from a place on its way, passing the axis at the distance aside: ρ² = (place + t speed)² + aside². They are
+ * passed one by one, so that a miss allocates nothing.
  *
  * <p>Source of the scheme: Hart, "Sphere tracing: a geometric method for the antialiased ray tracing of implicit
  * surfaces", The Visual Computer 12, 1996.
  */
 final class TorusTrace {
 
-  /** Maximum number of steps of a grazing ray. Of some ten million rays none needed more than a quarter of it. */
+  /** Maximum number of steps of a grazing ray. None of some ten million rays needed more than a quarter of them. */
   private static final int STEPS = 200;
 
   /** Number of steps after which a ray is treated as grazing. */
   private static final int USUAL_STEPS = 16;
 
-  /** Error of the distance at which the march ends, as a part of the least of r and ρ: there may be a cusp at ρ = 0. */
+  /** Error of the distance at which the march ends, relative to the smaller of r and ρ: there may be a cusp at ρ = 0. */
   private static final double CLOSE = 0x1p-24;
 
-  /** Part of R + r below which ρ no longer counts for {@link #CLOSE}. */
+  /** Fraction of R + r below which ρ is ignored for {@link #CLOSE}. */
   private static final double CUSP = 0x1p-20;
 
-  /** Rounding errors of D² − r², as a part of (R + r) r: two squares of differences that are off by 2⁻⁵² (R + r). */
+  /** Rounding errors of D² − r², relative to (R + r) r: two squares of differences with an error of 2⁻⁵² (R + r). */
   private static final double NOISE = 0x1p-49;
 
-  /** How far ahead of a start on the surface its side is decided, as a part of √((R + r) r). */
+  /** How far ahead of a start on the surface its side is determined, relative to √((R + r) r). */
   private static final double AHEAD = 0x1p-23;
 
   private final double R;
@@ -64,7 +64,7 @@ final class TorusTrace {
     this.quarter = 0.25 / R;
   }
 
-  /** The march of a ray that starts near the torus, outside or inside; from the surface, what is ahead decides. */
+  /** The march of a ray that starts near the torus, outside or inside; on the surface, the side just ahead decides. */
   double fromStart(final double start, final double leave, final double place, final double speed,
       final double aside2, final double h, final double slope) {
     double t = start, c = excess(t, place, speed, aside2, h, slope);
@@ -88,8 +88,8 @@ final class TorusTrace {
    * to the axis, a larger radius gives a longer step. The step solves c + 2 b s + q s² = 0, all times ρ₀ to save a
    * division.
    *
-   * <p>After a step with ρ₀ = ρ the remainder of D² − r² is R (ρ′s)² / ρ₀ up to terms in s³, and its slope is known as well.
-   * The last step is longer by what that takes, once the rest is negligible.
+   * <p>After a step with ρ₀ = ρ the remainder of D² − r² is R (ρ′s)² / ρ₀ up to terms in s³, and its slope is known as
+   * well. The last step is extended accordingly, once the rest is negligible.
    */
   double fromOutside(final double from, final double leave, final double place, final double speed,
       final double aside2, final double h, final double slope) {

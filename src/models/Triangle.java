@@ -19,9 +19,9 @@ import tracer.Ray;
  * <p><img src="doc-files/Triangle.png" width="320" height="240" alt="A triangle, and its normal">
  *
  * <p>With the vertices relative to the start of the ray, there is a hit if no two of v·(B × C), v·(C × A) and v·(A × B)
- * differ in sign, at t = A·n / (v·n), where n = (B − A) × (C − A). {@code WatertightTest} computes the signs so that no ray
- * passes between triangles that share an edge or a vertex. Sources: Segura and Feito, "Algorithms to test ray-triangle
- * intersection", WSCG 2001; Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
+ * differ in sign, at t = A·n / (v·n), where n = (B − A) × (C − A). {@code WatertightTest} computes the signs so that no
+ * ray passes between triangles that share an edge or a vertex. Sources: Segura and Feito, "Algorithms to test
+ * ray-triangle intersection", WSCG 2001; Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
  */
 public class Triangle extends Object3D {
 
@@ -165,7 +165,7 @@ public class Triangle extends Object3D {
     return Rounding.bound(ray.startX(), ray.startY(), ray.startZ(), t + Math.sqrt(edges)) * edges / doubleArea;
   }
 
-  /** A coordinate of a hit, clamped so that rounding does not move it out of the box of the vertices. */
+  /** A coordinate of a hit, clamped to the box of the vertices. */
   private static double within(final float a, final float b, final float c, final double computed) {
     return Math.max(Math.min(a, Math.min(b, c)), Math.min(Math.max(a, Math.max(b, c)), computed));
   }

@@ -15,27 +15,26 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * A solid truncated cone, closed by two flat discs: the points X with |s| ≤ l/2, s = (X − P)·û, that are no farther than
- * rA + (rB − rA) (s + l/2) / l from the axis. One of the radii may be 0; that end is a tip, and the solid a cone.
+ * A solid truncated cone, closed by two flat discs: the points X with |s| ≤ l/2, s = (X − P)·û, at most rA + (rB − rA) (s
+ * + l/2) / l away from the axis. One of the radii may be 0; that end is a tip, and the solid a cone.
  *
  * <p><img src="doc-files/TruncatedCone.png" width="320" height="240" alt="A truncated cone, and its axis">
  *
  * <p>The ray is intersected with the infinite cone and with the slab between the discs; the hit is where the two
  * intervals first overlap, and it lies on the side or on a disc according to which of them ends the overlap there. The
  * first interval is that of a quadratic, a t² + 2 b t + c = 0, whose discriminant is 0 for all rays through the tip. It
- * is computed from the tip, if there is one, in a form that keeps its sign ({@code InfiniteCone}); a ray that only
- * rounding leads past the tip hits it. Source: Shene, "Computing the Intersection of a Line and a Cone", Graphics Gems V,
- * 1995.
+ * is computed from the tip, if there is one, in a form that keeps its sign ({@code InfiniteCone}); a ray that misses the
+ * tip by rounding only hits it. Source: Shene, "Computing the Intersection of a Line and a Cone", Graphics Gems V, 1995.
  */
 public class TruncatedCone extends Object3D {
 
-  /** Rounding of a ray through the tip, as a part of the coordinates involved: 32 rounding errors of 2⁻⁵³. */
+  /** Rounding of a ray through the tip, relative to the coordinates involved: 32 rounding errors of 2⁻⁵³. */
   private static final double ROUNDING = 0x1p-48;
 
-  /** Rounding of the tip to floats, as a part of its coordinates. */
+  /** Rounding of the tip to floats, relative to its coordinates. */
   private static final double FLOAT = 0x1p-24;
 
-  /** How close to the tip, as a part of the length and of the radius, such a ray has to pass. */
+  /** How close to the tip, relative to the length and the radius, such a ray has to pass. */
   private static final double CLOSE = 0x1p-17;
 
   private final Axis axis;
@@ -117,9 +116,9 @@ public class TruncatedCone extends Object3D {
   }
 
   /**
-   * The stretch of a line within the cone. Its parameter counts from a point p of the line near the origin: from the one in
-   * the plane across the axis there, where nothing cancels even if the cone is flat; or from the closest one, if the line is
-   * almost parallel to that plane.
+   * The interval of a line within the cone. Its parameter counts from a point p of the line near the origin: from the one
+   * in the plane perpendicular to the axis there, where nothing cancels even if the cone is flat; or from the closest
+   * one, if the line is almost parallel to that plane.
    */
   private final class Chord {
 
@@ -134,7 +133,7 @@ public class TruncatedCone extends Object3D {
     final double enter;
     final double leave;
 
-    /** Cuts the line from a start, relative to the origin. */
+    /** Clips the line, whose start is given relative to the origin. */
     Chord(final double lx, final double ly, final double lz, final double dx, final double dy, final double dz) {
       final Axis u = axis;
       final double closest = lx * dx + ly * dy + lz * dz;
@@ -163,8 +162,8 @@ public class TruncatedCone extends Object3D {
   }
 
   /**
-   * Whether a ray that passes beside the tip is what rounding makes of one through it: rounding in double, or, close by,
-   * that of its direction and of the tip to floats, which changes each component by a part of itself.
+   * Whether a ray that passes beside the tip may be a rounded ray through it: by rounding in double or, close by, by that
+   * of its direction and of the tip to floats, which changes each component relative to itself.
    */
   private boolean isAimedAtTip(final double sx, final double sy, final double sz,
       final double dx, final double dy, final double dz) {

@@ -1,8 +1,7 @@
 package models;
 
 /**
- * The barycentric coordinates of a point in a triangle: how much each vertex counts for it. None is negative, and their sum
- * is 1.
+ * The barycentric coordinates of a point in a triangle: the weight of each vertex. None is negative, and their sum is 1.
  *
  * @param a of the first vertex
  * @param b of the second vertex

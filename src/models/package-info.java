@@ -19,7 +19,7 @@
  * in groups, transformations and images. Two things make it better:
  * <ul>
  * <li>{@code getBoundingBox}, so that rays that miss the box are not tested against the object;</li>
- * <li>computing in double what can cancel, such as a discriminant.</li>
+ * <li>computing in double where numbers can cancel, such as in a discriminant.</li>
  * </ul>
  * <p>The laws that every shape must obey are an interface of the tests; the test of a new shape implements it. As an
  * example, an infinite floor:
