@@ -65,7 +65,8 @@ public record RenderSettings(int threads, Shading shading, Progress progress, bo
   public boolean render(final Group3D scene, final RayGenerator generator, final PixelWriter picture,
       final ThreadFactory factory) {
     refresh(scene);
-    return renderPart(scene, generator, picture, factory);
+    return pixelLoop ? new PixelLoop(scene, generator, progress, picture).run()
+        : new TileRenderer(scene, generator, this, picture).run(factory);
   }
 
   /** Has the boxes of user-written shapes asked for anew, before a picture. */

@@ -150,7 +150,14 @@ final class Batch {
       PngFile.check(target(target, light), inputs);
     }
     for (int light = ALL; light < lights && !interruption.requested(); light++) {
-      render(file, job(file, scene, light), target(target, light));
+      final RenderJob job = job(file, scene, light);
+      boolean completed = false;
+      try (PictureProgress progress = PictureProgress.of(job.image(), file, target(target, light), interruption)) {
+        completed = job.run(progress);
+      }
+      if (completed && !interruption.requested()) {
+        save(file, job, target(target, light));
+      }
     }
   }
 
@@ -159,15 +166,12 @@ final class Batch {
     return light == ALL ? target : target.resolveSibling(name + "-light" + (light + 1) + ".png");
   }
 
-  private void render(final Path file, final RenderJob job, final Path target) throws SaveException {
-    final Rendition rendition = new Rendition(job, file, target, interruption);
-    if (rendition.render() && !interruption.requested()) {
-      interruption.save(rendition.image(), target);
-      out.println(file + " -> " + target);
-      job.scale().ifPresent(scale -> out.println(scale.isDepth()
-          ? Messages.text("upnatray.depthScale", (float) scale.least(), (float) scale.greatest())
-          : Messages.text("upnatray.costScale", (long) scale.greatest())));
-    }
+  private void save(final Path file, final RenderJob job, final Path target) throws SaveException {
+    interruption.save(job.image(), target);
+    out.println(file + " -> " + target);
+    job.scale().ifPresent(scale -> out.println(scale.isDepth()
+        ? Messages.text("upnatray.depthScale", (float) scale.least(), (float) scale.greatest())
+        : Messages.text("upnatray.costScale", (long) scale.greatest())));
   }
 
   /**

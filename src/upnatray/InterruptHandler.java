@@ -14,7 +14,7 @@ final class InterruptHandler extends Thread {
   private static final long PATIENCE_MILLISECONDS = 500;
 
   private volatile boolean requested;
-  private Rendition current;
+  private PictureProgress current;
 
   InterruptHandler() {
     super("interruption");
@@ -38,8 +38,8 @@ final class InterruptHandler extends Thread {
   }
 
   /** A picture is being rendered from now on. */
-  synchronized void rendering(final Rendition rendition) {
-    current = rendition;
+  synchronized void rendering(final PictureProgress progress) {
+    current = progress;
   }
 
   /** The picture is rendered, or its rendering was stopped. */
@@ -58,7 +58,7 @@ final class InterruptHandler extends Thread {
   @Override
   public void run() {
     requested = true;
-    final Rendition stopped = stopped();
+    final PictureProgress stopped = stopped();
     if (stopped != null) {
       final Path target = stopped.target();
       final String file = target.getFileName().toString();
@@ -76,8 +76,8 @@ final class InterruptHandler extends Thread {
   }
 
   /** The rendering that was going on, once it has stopped or enough time has gone; null if there was none. */
-  private synchronized Rendition stopped() {
-    final Rendition stopped = current;
+  private synchronized PictureProgress stopped() {
+    final PictureProgress stopped = current;
     if (stopped != null) {
       try {
         wait(PATIENCE_MILLISECONDS);

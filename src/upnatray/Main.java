@@ -39,7 +39,16 @@ public final class Main {
   /** Does what a command line asks for and returns the exit status. */
   static int run(final String... args) {
     try {
-      return run(Options.of(args));
+      final Options options = Options.of(args);
+      if (isAnswered(options)) {
+        return 0;
+      }
+      final List<Path> scenes = options.scenes().isEmpty() ? List.of(defaultScene()) : options.scenes();
+      if (options.windowIfPossible() && isShown(options, scenes.get(0))) {
+        return 0;
+      }
+      System.setProperty("java.awt.headless", "true");
+      return new Batch(options, System.out, System.err).run(scenes);
     } catch (final UsageException wrong) {
       System.err.println("UPNaTRay: " + wrong.getMessage());
       return WRONG_USAGE;
@@ -50,22 +59,14 @@ public final class Main {
     }
   }
 
-  /** Does what the options ask for and returns the exit status. */
-  private static int run(final Options options) throws UsageException {
+  /** Prints the help or the version if that is what was asked for. */
+  private static boolean isAnswered(final Options options) {
     if (options.help()) {
       System.out.println(Messages.text("upnatray.usage"));
-      return 0;
-    }
-    if (options.version()) {
+    } else if (options.version()) {
       System.out.println("UPNaTRay " + version());
-      return 0;
     }
-    final List<Path> scenes = options.scenes().isEmpty() ? List.of(defaultScene()) : options.scenes();
-    if (options.windowIfPossible() && isShown(options, scenes.get(0))) {
-      return 0;
-    }
-    System.setProperty("java.awt.headless", "true");
-    return new Batch(options, System.out, System.err).run(scenes);
+    return options.help() || options.version();
   }
 
   /** Opens a window if there is a display. What it needs is checked before: its threads would be the first to miss it. */

@@ -89,18 +89,16 @@ public final class RenderJob {
       return watcher.tileDone(x, y, width, height) && !cancelled;
     };
     try {
-      final boolean completed = render(new RenderSettings(threads, shading, progress));
+      final RenderSettings settings = new RenderSettings(threads, shading, progress);
+      final RayGenerator rays = resolution.rays(scene.camera());
+      final boolean completed = numbers == null
+          ? image.synthesis(scene.objects(), rays, resolution.samples(), settings)
+          : settings.render(scene.objects(), rays, numbers, Thread::new);
       scale().ifPresent(this::recolour);
       return completed;
     } finally {
       end = System.nanoTime();
     }
-  }
-
-  private boolean render(final RenderSettings settings) {
-    final RayGenerator rays = resolution.rays(scene.camera());
-    return numbers == null ? image.synthesis(scene.objects(), rays, resolution.samples(), settings)
-        : settings.render(scene.objects(), rays, numbers, Thread::new);
   }
 
   private static Shading shading(final SceneFile scene, final RenderPass view) {

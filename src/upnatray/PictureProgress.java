@@ -6,10 +6,12 @@ import java.util.Arrays;
 
 import rendering.Progress;
 
-/** The rendering of one scene: knows which parts of its image are done, shows that on a terminal, and can be stopped. */
-final class Rendition implements Progress {
+/**
+ * The progress of one picture: which parts of it are done. It is shown on a terminal, and an interruption finds in it what
+ * there is of the picture.
+ */
+final class PictureProgress implements Progress, AutoCloseable {
 
-  private final RenderJob job;
   private final Image image;
   private final Path target;
   private final InterruptHandler interruption;
@@ -18,16 +20,18 @@ final class Rendition implements Progress {
   private int[] done = new int[4096];
   private int end;
 
-  Rendition(final RenderJob job, final Path scene, final Path target, final InterruptHandler interruption) {
-    this.job = job;
-    this.image = job.image();
+  private PictureProgress(final Image image, final Path scene, final Path target, final InterruptHandler interruption) {
+    this.image = image;
     this.target = target;
     this.interruption = interruption;
     this.line = new ProgressLine(scene.toString(), (long) image.getWidth() * image.getHeight());
   }
 
-  Image image() {
-    return image;
+  /** The picture of a scene is about to be rendered; an interruption stops that until the progress is closed. */
+  static PictureProgress of(final Image image, final Path scene, final Path target, final InterruptHandler interruption) {
+    final PictureProgress progress = new PictureProgress(image, scene, target, interruption);
+    interruption.rendering(progress);
+    return progress;
   }
 
   /** Where the picture is to go. */
@@ -35,15 +39,10 @@ final class Rendition implements Progress {
     return target;
   }
 
-  /** Computes the image; returns false if that was interrupted. */
-  boolean render() {
-    interruption.rendering(this);
-    try {
-      return job.run(this);
-    } finally {
-      line.clear();
-      interruption.rendered();
-    }
+  @Override
+  public void close() {
+    line.clear();
+    interruption.rendered();
   }
 
   @Override
