@@ -25,7 +25,8 @@ public final class SimilarFile {
   }
 
   /**
-   * The end of a message about a missing file: a full stop and the question whether another was meant.
+   * The end of a message about a missing file: a full stop and the question whether another was meant. A folder in its place
+   * is not missing: whoever wrote its name meant it.
    *
    * @param missing the file
    * @param endings acceptable endings in lower case, such as {@code .xml}
@@ -42,7 +43,7 @@ public final class SimilarFile {
 
   private static Path of(final Path missing, final String... endings) {
     final Path folder = folder(missing.getParent());
-    if (folder == null || missing.getFileName() == null) {
+    if (folder == null || missing.getFileName() == null || Files.isDirectory(missing)) {
       return null;
     }
     final String name = missing.getFileName().toString();

@@ -3,10 +3,15 @@ package diagnostics;
 import java.util.Locale;
 
 /**
- * Characters that look like a blank, or are invisible, but do not separate words: no-break, thin and ideographic blanks,
- * zero-width characters, a byte-order mark in the middle of a text. They get into files by copying from word processors.
+ * Characters that look like a blank, or are invisible, but separate words neither in XML nor in OBJ files: no-break, thin
+ * and ideographic spaces, zero-width characters, a byte-order mark in the middle of a text. They get into files by copying
+ * from web pages and word processors.
  */
 public final class UnusualBlank {
+
+  private static final int VERTICAL_TAB = 0x0b;
+  private static final int FORM_FEED = 0x0c;
+  private static final int NEXT_LINE = 0x85;
 
   private UnusualBlank() {
   }
@@ -18,9 +23,23 @@ public final class UnusualBlank {
    * @return false for blank, tab and line ends
    */
   public static boolean is(final int codePoint) {
-    return codePoint != ' ' && Character.isSpaceChar(codePoint) || codePoint == 0x0b || codePoint == 0x0c
-        || codePoint == 0x85 || codePoint == 0x180e || codePoint >= 0x200b && codePoint <= 0x200f
-        || codePoint == 0x2060 || codePoint == 0xfeff;
+    if (codePoint < NEXT_LINE) {
+      return codePoint == VERTICAL_TAB || codePoint == FORM_FEED;
+    }
+    return switch (Character.getType(codePoint)) {
+      case Character.SPACE_SEPARATOR, Character.LINE_SEPARATOR, Character.PARAGRAPH_SEPARATOR, Character.FORMAT -> true;
+      default -> codePoint == NEXT_LINE;
+    };
+  }
+
+  /**
+   * Whether a character is a blank of any kind, an unusual one too.
+   *
+   * @param codePoint the character
+   * @return true for blanks, tabs and line ends as well
+   */
+  public static boolean isBlank(final int codePoint) {
+    return Character.isWhitespace(codePoint) || is(codePoint);
   }
 
   /**
@@ -52,6 +71,23 @@ public final class UnusualBlank {
       }
     }
     return replaced.toString();
+  }
+
+  /**
+   * The text without blanks at its ends, unusual ones too.
+   *
+   * @param text a text
+   * @return the part between the first and the last character that are no blanks
+   */
+  public static String stripped(final String text) {
+    int from = 0, to = text.length();
+    while (from < to && isBlank(text.charAt(from))) {
+      from++;
+    }
+    while (to > from && isBlank(text.charAt(to - 1))) {
+      to--;
+    }
+    return text.substring(from, to);
   }
 
   /**

@@ -8,9 +8,13 @@ import java.awt.image.Raster;
 
 /**
  * The pixels of an image as they are stored. {@link BufferedImage#getRGB} takes grey images for linear, returning 79 for
- * a stored 20, and applies colour profiles; so samples are read from the raster wherever it has one for each channel.
+ * a stored 20, and applies colour profiles; so samples are read from the raster wherever it has one for each channel. The
+ * four inks of a JPEG file for printing are multiplied, as they are without a profile.
  */
 final class StoredTexels {
+
+  /** Channels of an image for printing: cyan, magenta, yellow and black. */
+  private static final int INKS = 4;
 
   private final BufferedImage image;
   private final ColorModel model;
@@ -26,7 +30,7 @@ final class StoredTexels {
     return hasPlainSamples() ? samples(width, height) : image.getRGB(0, 0, width, height, null, 0, width);
   }
 
-  /** Whether each channel has a sample: grey or RGB, possibly with alpha, in 8 or 16 bits. */
+  /** Whether each channel has a sample: grey or RGB, possibly with alpha, or CMYK, in 8 or 16 bits. */
   private boolean hasPlainSamples() {
     final int type = model.getTransferType();
     return model instanceof ComponentColorModel && !model.isAlphaPremultiplied() && model.getNumComponents() <= 4
@@ -43,8 +47,10 @@ final class StoredTexels {
       for (int x = 0; x < width; x++) {
         final int i = x * bands;
         final int alpha = model.hasAlpha() ? eight(row[i + opaque], scales[opaque]) : 255;
-        texels[y * width + x] = alpha << 24 | eight(row[i], scales[0]) << 16 | eight(row[i + green], scales[green]) << 8
-            | eight(row[i + blue], scales[blue]);
+        final int r = eight(row[i], scales[0]), g = eight(row[i + green], scales[green]),
+            b = eight(row[i + blue], scales[blue]);
+        final int black = opaque == INKS ? row[i + INKS - 1] : -1;
+        texels[y * width + x] = alpha << 24 | light(r, black) << 16 | light(g, black) << 8 | light(b, black);
       }
     }
     return texels;
@@ -56,6 +62,11 @@ final class StoredTexels {
       scales[band] = (1 << model.getComponentSize(band)) - 1;
     }
     return scales;
+  }
+
+  /** What an ink and the black one let through; without inks, −1, the sample itself. */
+  private static int light(final int sample, final int black) {
+    return black < 0 ? sample : eight((255 - sample) * (255 - black), 255 * 255);
   }
 
   /** Scales a sample from 0 … scale to 0 … 255, rounded. */

@@ -66,8 +66,7 @@ final class FacetReader {
   private Outcome corner(final int vertexCount) {
     final byte[] window = text.bytes.window;
     final int start = text.bytes.at;
-    final boolean positive = window[start] == '+';
-    if (!index(positive ? start + 1 : start) || positive && window[start + 1] == '-' || !endsAfter(end)) {
+    if (!index(start) || !endsAfter(end)) {
       return Outcome.NOT_CORNER;
     }
     final long vertex = index < 0 ? vertexCount + index : index - 1;
@@ -92,12 +91,12 @@ final class FacetReader {
     return Outcome.SOUND;
   }
 
-  /** Reads a whole number, perhaps negative; false if there is none. */
+  /** Reads a whole number, perhaps with a sign; false if there is none. */
   private boolean index(final int start) {
     final byte[] window = text.bytes.window;
     int i = start;
     final boolean negative = window[i] == '-';
-    i += negative ? 1 : 0;
+    i += isSign(window[i]) ? 1 : 0;
     final int digits = i;
     index = 0;
     for (int digit = window[i] - '0'; digit >= 0 && digit <= 9; digit = window[++i] - '0') {
@@ -127,13 +126,17 @@ final class FacetReader {
 
   private int endOfWord(final int from) {
     int i = from;
-    while (text.bytes.window[i] >= '/' && text.bytes.window[i] <= '9' || text.bytes.window[i] == '-') {
+    while (text.bytes.window[i] >= '/' && text.bytes.window[i] <= '9' || isSign(text.bytes.window[i])) {
       i++;
     }
     return i;
   }
 
-  /** Whether the word ends properly, whatever digits, slashes and minus signs stand before its end. */
+  private static boolean isSign(final byte b) {
+    return b == '-' || b == '+';
+  }
+
+  /** Whether the word ends properly, whatever digits, slashes and signs stand before its end. */
   private boolean endsAfter(final int from) {
     return text.endsWord(endOfWord(from));
   }

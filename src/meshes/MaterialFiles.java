@@ -9,6 +9,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 import arguments.Messages;
 import diagnostics.Problem;
@@ -35,11 +36,20 @@ public final class MaterialFiles {
     for (final ObjMaterials.Name library : mesh.materials().libraries()) {
       read(library);
     }
-    for (final ObjMaterials.Name name : mesh.materials().used()) {
-      if (!materials.containsKey(name.text())) {
-        warn(name.line(), "materialUnknown", Messages.quote(name.text()));
-      }
-    }
+    warnOfUnknown();
+  }
+
+  /** Names that no triangle has are nobody's loss. */
+  private void warnOfUnknown() {
+    final List<ObjMaterials.Name> names = mesh.materials().used();
+    IntStream.of(mesh.materialOf()).distinct().filter(number -> number >= 0).sorted().mapToObj(names::get)
+        .filter(name -> !materials.containsKey(name.text())).forEach(name -> {
+          if (name.text().isEmpty()) {
+            warn(name.line(), "materialNameless");
+          } else {
+            warn(name.line(), "materialUnknown", Messages.quote(name.text()));
+          }
+        });
   }
 
   /**

@@ -3,7 +3,6 @@ package meshes;
 import java.awt.Color;
 import java.io.BufferedInputStream;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collection;
@@ -146,12 +145,15 @@ final class MtlReader {
     return number;
   }
 
-  /** The last number of a line, which may begin with options such as {@code -halo}; NaN if the last word is none. */
+  /** The last number of a line, which may begin with options such as {@code -halo}; NaN if there is none. */
   private double lastNumber() throws IOException {
-    final String[] words = text.name().replaceFirst("#.*", "").strip().split("[ \t]+");
-    final byte[] last = (words[words.length - 1] + "\n\n").getBytes(StandardCharsets.ISO_8859_1);
-    final double number = decimals.parse(last, 0);
-    return decimals.end() == last.length - 2 ? number : Double.NaN;
+    double last = Double.NaN;
+    while (text.toWord()) {
+      final double number = number();
+      last = Double.isNaN(number) ? last : number;
+      text.skipWord();
+    }
+    return last;
   }
 
   private void map(final String statement, final int line) {

@@ -112,6 +112,9 @@ public final class ObjFile {
       throw new InvalidException(reading.problems().stream().filter(Problem::isError).map(Problem::toString)
           .collect(Collectors.joining(System.lineSeparator())));
     }
+    if (reading.large() != null) {
+      throw new InvalidException(reading.large().toString());
+    }
     return reading.mesh();
   }
 }

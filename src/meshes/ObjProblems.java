@@ -3,6 +3,7 @@ package meshes;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 import arguments.Messages;
 import diagnostics.Problem;
@@ -49,6 +50,12 @@ final class ObjProblems {
     add(new Problem(file, line, column, Problem.Severity.ERROR, message(key, parts)));
   }
 
+  /** An error, which is not added: the word at hand is a coordinate that exceeds a limit. */
+  Problem large(final ObjText text, final double limit) {
+    return new Problem(file, text.line(), text.column(text.bytes.position()), Problem.Severity.ERROR,
+        message("coordinateLarge", text.word(), String.format(Locale.ROOT, "%.1e", limit).replace("+", "")));
+  }
+
   void warning(final int line, final String key, final Object... parts) {
     add(new Problem(file, line, 1, Problem.Severity.WARNING, message(key, parts)));
   }
@@ -83,7 +90,7 @@ final class ObjProblems {
     return Messages.text("meshes." + key, parts);
   }
 
-  private void add(final Problem problem) {
+  void add(final Problem problem) {
     errors += problem.isError() ? 1 : 0;
     found.add(problem);
   }

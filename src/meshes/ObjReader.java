@@ -36,8 +36,10 @@ public final class ObjReader {
    *
    * @param mesh the mesh; null if there is an error
    * @param problems what is wrong with it, in the order of the file
+   * @param large the first coordinate that no float holds, which is an error unless the mesh is placed elsewhere; null if
+   *     there is none
    */
-  public record Result(ObjMesh mesh, List<Problem> problems) {
+  public record Result(ObjMesh mesh, List<Problem> problems, Problem large) {
   }
 
   private final Path file;
@@ -52,6 +54,7 @@ public final class ObjReader {
   private int curves;
   private int points;
   private boolean broken;
+  private Problem large;
 
   /**
    * A reader of a file.
@@ -95,7 +98,7 @@ public final class ObjReader {
     } else if (!problems.hasErrors()) {
       warnings();
     }
-    return new Result(problems.hasErrors() ? null : mesh.mesh(attributes, materials), problems.all());
+    return new Result(problems.hasErrors() ? null : mesh.mesh(attributes, materials), problems.all(), large);
   }
 
   private void empty() {
@@ -152,7 +155,7 @@ public final class ObjReader {
     while (!text.isAtEnd() && problems.errors() < MOST_ERRORS) {
       statement();
     }
-    if (problems.errors() == MOST_ERRORS) {
+    if (!text.isAtEnd()) {
       problems.error(text, text.lineStart(), "tooManyErrors", MOST_ERRORS);
     }
   }
@@ -232,9 +235,16 @@ public final class ObjReader {
     }
     final double number = decimals.parse(text.bytes.window, text.bytes.at);
     final int end = decimals.end();
-    if (end == text.bytes.at || !text.endsWord(end) || !Float.isFinite((float) number)) {
-      wrongWord(end > text.bytes.at && text.endsWord(end) ? "coordinateLarge" : "notCoordinate");
+    if (end == text.bytes.at || !text.endsWord(end)) {
+      wrongWord("notCoordinate");
       return Double.NaN;
+    }
+    if (!Float.isFinite((float) number)) {
+      large = large != null ? large : problems.large(text, Float.MAX_VALUE);
+      if (!Double.isFinite(number)) {
+        problems.add(problems.large(text, Double.MAX_VALUE));
+        return Double.NaN;
+      }
     }
     text.bytes.at = end;
     return number;
@@ -245,7 +255,7 @@ public final class ObjReader {
     final int line = text.line();
     switch (facets.read(mesh.vertices())) {
       case SOUND -> {
-        if (!mesh.facet(facets, line) && crossings++ < MOST_CROSSINGS) {
+        if (!mesh.facet(facets, line) && !problems.hasErrors() && crossings++ < MOST_CROSSINGS) {
           problems.warning(line, "crossing", facets.size());
         }
       }

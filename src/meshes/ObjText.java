@@ -81,6 +81,14 @@ final class ObjText {
     return true;
   }
 
+  /** Passes over what is left of a word. */
+  void skipWord() throws IOException {
+    while (!endsWord(bytes.at) && !isAtEnd()) {
+      bytes.at++;
+      bytes.reserve();
+    }
+  }
+
   /** Passes over the rest of a line, and over the lines that continue it if they may. */
   void skipLine(final boolean continued) throws IOException {
     while (!bytes.isAtEnd()) {

@@ -7,8 +7,9 @@ import java.io.InputStreamReader;
 import java.io.Reader;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
-import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
+
+import diagnostics.UnicodeMark;
 
 /**
  * The encoding of a text file of meshes or materials: that of its byte-order mark; without one, UTF-16 or UTF-32 if zeros
@@ -17,61 +18,17 @@ import java.nio.charset.StandardCharsets;
  */
 final class TextEncoding {
 
-  private static final int LONGEST_MARK = 4;
-
   private TextEncoding() {
   }
 
   /** The bytes of a text in UTF-8, or as they are, without byte-order mark; reads a few ahead. */
   static InputStream decoded(final BufferedInputStream buffered) throws IOException {
-    buffered.mark(LONGEST_MARK);
-    final byte[] start = buffered.readNBytes(LONGEST_MARK);
+    buffered.mark(UnicodeMark.LONGEST);
+    final UnicodeMark mark = UnicodeMark.of(buffered.readNBytes(UnicodeMark.LONGEST));
     buffered.reset();
-    final Charset charset = charset(start);
-    final int mark = mark(start, charset);
-    buffered.skipNBytes(mark);
-    return charset == null || charset == StandardCharsets.UTF_8 ? buffered
-        : new Utf8Stream(new InputStreamReader(buffered, charset));
-  }
-
-  private static Charset charset(final byte[] start) {
-    final int first = at(start, 0), second = at(start, 1), third = at(start, 2), fourth = at(start, 3);
-    if (first == 0xef && second == 0xbb && third == 0xbf) {
-      return StandardCharsets.UTF_8;
-    }
-    if (first == 0 && second == 0 && (third != 0 || fourth != 0)) {
-      return Charset.forName("UTF-32BE");
-    }
-    if (second == 0 && third == 0 && fourth == 0 && first != 0 || isMark(first, second, 0xff) && third == 0 && fourth == 0) {
-      return Charset.forName("UTF-32LE");
-    }
-    if (isMark(first, second, 0xfe) || first == 0) {
-      return StandardCharsets.UTF_16BE;
-    }
-    return isMark(first, second, 0xff) || second == 0 ? StandardCharsets.UTF_16LE : null;
-  }
-
-  private static boolean isMark(final int first, final int second, final int expected) {
-    return first == expected && first + second == 0xfe + 0xff;
-  }
-
-  /** A byte of the start, −1 after the end of the file. */
-  private static int at(final byte[] start, final int i) {
-    return i < start.length ? start[i] & 0xff : -1;
-  }
-
-  /** Length of the byte-order mark. */
-  private static int mark(final byte[] start, final Charset charset) {
-    if (charset == null) {
-      return 0;
-    }
-    final byte[] mark = "\ufeff".getBytes(charset);
-    for (int i = 0; i < mark.length; i++) {
-      if (i >= start.length || start[i] != mark[i]) {
-        return 0;
-      }
-    }
-    return mark.length;
+    buffered.skipNBytes(mark.length());
+    return mark.charset() == null || mark.charset() == StandardCharsets.UTF_8 ? buffered
+        : new Utf8Stream(new InputStreamReader(buffered, mark.charset()));
   }
 
   /** A piece of a text: UTF-8 if it is, else Latin-1. */

@@ -4,7 +4,8 @@ import java.util.List;
 import java.util.regex.Pattern;
 
 /**
- * What stands after {@code map_Kd}: options, which are passed over, and the name of an image, which may hold blanks.
+ * What stands after {@code map_Kd}: options, which are passed over with their arguments, and the name of an image, which may
+ * hold blanks. An option of another name has one argument, if a name is left after that.
  *
  * @param file the name
  * @param isMoved whether an option would move, scale or disturb the texture
@@ -28,7 +29,7 @@ record TextureMap(String file, boolean isMoved) {
         }
       } else if (option.equals("-mm")) {
         rest = behind(behind(behind(rest)));
-      } else if (OPTIONS.contains(option)) {
+      } else if (option.startsWith("-") && (OPTIONS.contains(option) || !behind(behind(rest)).isEmpty())) {
         rest = behind(behind(rest));
       } else {
         return new TextureMap(rest, moved);

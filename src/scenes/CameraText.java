@@ -15,6 +15,7 @@ import java.util.List;
 import javax.vecmath.Tuple3f;
 
 import arguments.Messages;
+import diagnostics.UnicodeMark;
 import view.Camera;
 
 /**
@@ -116,13 +117,16 @@ public record CameraText(List<String> position, List<String> lookAt, List<String
   private static Charset charset(final byte[] bytes, final Decoding decoding) throws IOException {
     final List<Charset> candidates = new ArrayList<>(List.of(StandardCharsets.UTF_8, StandardCharsets.ISO_8859_1,
         StandardCharsets.UTF_16BE, StandardCharsets.UTF_16LE));
+    if (UnicodeMark.of(bytes).charset() != null) {
+      candidates.add(0, UnicodeMark.of(bytes).charset());
+    }
     if (decoding.encoding() != null && Charset.isSupported(decoding.encoding())) {
       candidates.add(0, Charset.forName(decoding.encoding()));
     }
     for (final Charset charset : candidates) {
       final byte[] body = charset.canEncode() ? decoding.text().getBytes(charset) : new byte[0];
       final int mark = bytes.length - body.length;
-      if (mark >= 0 && mark <= 3 && Arrays.equals(body, 0, body.length, bytes, mark, bytes.length)) {
+      if (mark >= 0 && mark <= UnicodeMark.LONGEST && Arrays.equals(body, 0, body.length, bytes, mark, bytes.length)) {
         return charset;
       }
     }

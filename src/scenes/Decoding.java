@@ -7,9 +7,12 @@ import java.nio.charset.IllegalCharsetNameException;
 import java.nio.charset.StandardCharsets;
 import java.nio.charset.UnsupportedCharsetException;
 
+import diagnostics.UnicodeMark;
+
 /**
- * The text of a scene file from its bytes: by the byte-order mark, else by the encoding that its XML declaration
- * names, else UTF-8. Bytes that are not UTF-8 are taken for Latin-1, so that an old comment does not break a file.
+ * The text of a scene file from its bytes: by the byte-order mark, or by the zeros of UTF-16 and UTF-32, else by the
+ * encoding that its XML declaration names, else UTF-8. Bytes that are not UTF-8 are taken for Latin-1, so that an old
+ * comment does not break a file.
  *
  * @param text the text, without byte-order mark
  * @param warning key of the message if the encoding had to be guessed, or null
@@ -18,13 +21,11 @@ import java.nio.charset.UnsupportedCharsetException;
 record Decoding(String text, String warning, String encoding) {
 
   static Decoding of(final byte[] bytes) {
-    if (startsWith(bytes, 0xfe, 0xff)) {
-      return new Decoding(new String(bytes, 2, bytes.length - 2, StandardCharsets.UTF_16BE), null, null);
+    final UnicodeMark mark = UnicodeMark.of(bytes);
+    final int start = mark.length();
+    if (mark.charset() != null && mark.charset() != StandardCharsets.UTF_8) {
+      return new Decoding(new String(bytes, start, bytes.length - start, mark.charset()), null, null);
     }
-    if (startsWith(bytes, 0xff, 0xfe)) {
-      return new Decoding(new String(bytes, 2, bytes.length - 2, StandardCharsets.UTF_16LE), null, null);
-    }
-    final int start = startsWith(bytes, 0xef, 0xbb, 0xbf) ? 3 : 0;
     final String encoding = declared(bytes, start);
     if (encoding == null || start > 0) {
       return decoded(bytes, start, StandardCharsets.UTF_8, null, encoding);
@@ -45,15 +46,6 @@ record Decoding(String text, String warning, String encoding) {
       final String latin1 = new String(bytes, start, bytes.length - start, StandardCharsets.ISO_8859_1);
       return new Decoding(latin1, warning == null ? "encodingWrong" : warning, charset.name());
     }
-  }
-
-  private static boolean startsWith(final byte[] bytes, final int... start) {
-    for (int i = 0; i < start.length; i++) {
-      if (i >= bytes.length || (bytes[i] & 0xff) != start[i]) {
-        return false;
-      }
-    }
-    return true;
   }
 
   /** The encoding that the XML declaration names; null if there is none. */

@@ -3,6 +3,8 @@ package scenes;
 import java.util.ArrayList;
 import java.util.List;
 
+import diagnostics.UnusualBlank;
+
 /** An element of a scene file, with the places of what it holds, counted in characters from the start of the file. */
 final class Element {
 
@@ -73,7 +75,7 @@ final class Element {
   /** Place of the first character of its text that is not blank; that of the element if there is none. */
   int valueOffset() {
     int i = 0;
-    while (i < text.length() && Blanks.isBlank(text.charAt(i))) {
+    while (i < text.length() && UnusualBlank.isBlank(text.charAt(i))) {
       i++;
     }
     return i < text.length() ? textOffset(i) : offset;

@@ -7,6 +7,8 @@ import javax.vecmath.Matrix3d;
 import javax.vecmath.Point3d;
 import javax.vecmath.Vector3d;
 
+import diagnostics.UnusualBlank;
+
 /**
  * A placement in the precision of the file's decimal numbers, for meshes in coordinates so large that floats do not tell
  * their vertices apart.
@@ -38,7 +40,7 @@ record ExactPlacement(Vector3d scale, Matrix3d rotation, Vector3d shift) {
     if (value == null) {
       return absent;
     }
-    final String[] numbers = Blanks.plain(value.text()).strip().split("\\s+");
+    final String[] numbers = UnusualBlank.replaced(value.text()).strip().split("\\s+");
     return Arrays.stream(numbers).limit(absent.length).mapToDouble(Double::parseDouble).toArray();
   }
 

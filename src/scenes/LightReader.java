@@ -15,7 +15,7 @@ import radiometry.SpectrumRGB;
 final class LightReader {
 
   /** How far from 1 the sum of the shares of a spectrum may be. */
-  private static final double TOLERANCE = 1e-4;
+  static final double TOLERANCE = 1e-4;
 
   /** Half angles of cones. */
   private static final Range CONE = new Range(0, false, 90, true);
@@ -59,7 +59,7 @@ final class LightReader {
   }
 
   private float[] spectrum(final Element light) {
-    final float[] shares = values.triple(light, "spectrum", Range.NOT_NEGATIVE);
+    final float[] shares = values.triple(light, "spectrum", Range.SHARE);
     if (shares != null && !(Math.abs((double) shares[0] + shares[1] + shares[2] - 1) <= TOLERANCE)) {
       final Element value = light.find("spectrum");
       values.problems().error(value.valueOffset(), "spectrum", Messages.quote(value.text()));

@@ -141,7 +141,8 @@ final class MaterialReader {
 
   private void warnIfPolished(final Element element) {
     if (illumination && !values.has(element, "beta")) {
-      values.problems().warning(element.offset(), "polished", element.name());
+      final String key = element.name().equals("brdf") ? "polished" : "polishedGlass";
+      values.problems().warning(element.offset(), key, element.name());
     }
   }
 

@@ -17,7 +17,7 @@ import models.Object3D;
 final class MeshPlacement {
 
   /** Errors of the vertices up to this part of the size of the placed mesh are of no consequence. */
-  private static final double TOLERANCE = 5e-7;
+  private static final double TOLERANCE = 3e-7;
 
   /** Largest rounding of a float, relative to its value. */
   private static final double ROUNDING = 0x1p-24;
@@ -25,10 +25,15 @@ final class MeshPlacement {
   /** A mesh farther away than so many times its size shows steps in its vertices. */
   private static final double FAR = 10_000;
 
+  /** Sizes of meshes from 2 to the power of minus this up to its opposite are far from the limits of floats. */
+  private static final int MODERATE = 80;
+
   private final MeshData data;
   private final double[] min = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
   private final double[] max = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
   private double rounding;
+  /** Exponent of 2 of the largest extent. */
+  private final int magnitude;
 
   MeshPlacement(final MeshData data) {
     this.data = data;
@@ -40,93 +45,125 @@ final class MeshPlacement {
         rounding = Math.max(rounding, Math.abs(p - (float) p));
       }
     }
+    magnitude = Math.getExponent(Math.max(max[0] - min[0], Math.max(max[1] - min[1], max[2] - min[2])));
   }
 
   private Point3d centre() {
     return new Point3d((min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2);
   }
 
-  private Point3d corner(final int number) {
-    return new Point3d((number & 1) == 0 ? min[0] : max[0], (number & 2) == 0 ? min[1] : max[1],
-        (number & 4) == 0 ? min[2] : max[2]);
+  /** The corners of the box about the mesh. */
+  private double[] box() {
+    final double[] box = new double[3 * 8];
+    for (int i = 0; i < box.length; i++) {
+      box[i] = (i / 3 >> i % 3 & 1) == 0 ? min[i % 3] : max[i % 3];
+    }
+    return box;
   }
 
-  /** Whether a placement takes the mesh to coordinates that floats hold. */
-  boolean isFinite(final ExactPlacement placement) {
-    boolean finite = true;
-    for (int n = 0; n < 8; n++) {
-      final Point3d p = placement.applied(corner(n));
-      finite &= Float.isFinite((float) p.x) && Float.isFinite((float) p.y) && Float.isFinite((float) p.z);
+  /** The corners of all triangles. */
+  private double[] vertices() {
+    final double[] vertices = new double[3 * data.corners().length];
+    for (int i = 0; i < data.corners().length; i++) {
+      System.arraycopy(data.coordinates(), 3 * data.corners()[i], vertices, 3 * i, 3);
     }
-    return finite;
+    return vertices;
   }
 
-  /**
-   * Whether a placement of rounded numbers takes rounded vertices to where they are to be, as far as floats can say that.
-   */
-  boolean isNear(final ExactPlacement exact, final ExactPlacement rounded) {
-    if (isFarAway(exact)) {
-      return false;
+  /** How far placed points reach along the axes: in all, and from the origin. */
+  private record Reach(double extent, double farthest) {
+
+    static Reach of(final double[] points, final ExactPlacement placement) {
+      final Point3d low = new Point3d(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
+      final Point3d high = new Point3d(Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY);
+      for (int i = 0; i < points.length; i += 3) {
+        final Point3d p = placement.applied(new Point3d(points[i], points[i + 1], points[i + 2]));
+        low.set(Math.min(low.x, p.x), Math.min(low.y, p.y), Math.min(low.z, p.z));
+        high.set(Math.max(high.x, p.x), Math.max(high.y, p.y), Math.max(high.z, p.z));
+      }
+      return new Reach(distance(low, high), Math.max(distance(low, new Point3d()), distance(high, new Point3d())));
     }
-    double error = 0;
-    for (int n = 0; n < 8; n++) {
-      error = Math.max(error, distance(exact.applied(corner(n)), rounded.applied(corner(n))));
+
+    boolean isFinite() {
+      return Float.isFinite((float) farthest);
     }
-    final Vector3d scale = exact.scale();
-    final double factor = Math.max(Math.abs(scale.x), Math.max(Math.abs(scale.y), Math.abs(scale.z)));
-    return error + factor * rounding <= TOLERANCE * extent(exact) + ROUNDING * farthest(exact);
+
+    boolean isFarAway(final double times) {
+      return farthest > times * extent;
+    }
   }
 
   private static double distance(final Point3d p, final Point3d q) {
     return Math.max(Math.abs(p.x - q.x), Math.max(Math.abs(p.y - q.y), Math.abs(p.z - q.z)));
   }
 
-  /** Largest extent of the placed mesh along an axis. */
-  private double extent(final ExactPlacement placement) {
-    double extent = 0;
-    for (int n = 0; n < 8; n++) {
-      for (int other = 0; other < n; other++) {
-        extent = Math.max(extent, distance(placement.applied(corner(n)), placement.applied(corner(other))));
-      }
-    }
-    return extent;
+  /** Whether a placement takes all vertices to coordinates that floats hold; mostly the box shows it. */
+  boolean isFinite(final ExactPlacement placement) {
+    return Reach.of(box(), placement).isFinite() || Reach.of(vertices(), placement).isFinite();
   }
 
-  /** Largest absolute coordinate of the placed mesh. */
-  private double farthest(final ExactPlacement placement) {
-    double farthest = 0;
-    for (int n = 0; n < 8; n++) {
-      farthest = Math.max(farthest, distance(placement.applied(corner(n)), new Point3d()));
-    }
-    return farthest;
-  }
-
-  /** Whether the placed mesh is so far away that floats are too coarse for it. */
+  /**
+   * Whether the placed mesh is so far away that floats are too coarse for it. The box shows that it is not, as its extent is
+   * at most three times that of the mesh, by a factor √3 each for its diagonals and those of the mesh.
+   */
   boolean isFarAway(final ExactPlacement placement) {
-    return farthest(placement) > FAR * extent(placement);
+    return Reach.of(box(), placement).isFarAway(FAR / 3) && Reach.of(vertices(), placement).isFarAway(FAR);
+  }
+
+  /**
+   * Whether a placement of rounded numbers takes rounded vertices to where they are to be, as far as floats can say that.
+   */
+  boolean isNear(final ExactPlacement exact, final ExactPlacement rounded) {
+    if (!isModerate() || isFarAway(exact)) {
+      return false;
+    }
+    final double[] box = box();
+    double error = 0;
+    for (int i = 0; i < box.length; i += 3) {
+      final Point3d p = new Point3d(box[i], box[i + 1], box[i + 2]);
+      error = Math.max(error, distance(exact.applied(p), rounded.applied(p)));
+    }
+    final Vector3d scale = exact.scale();
+    final double factor = Math.max(Math.abs(scale.x), Math.max(Math.abs(scale.y), Math.abs(scale.z)));
+    final Reach reach = Reach.of(box, exact);
+    return error + factor * rounding <= TOLERANCE * reach.extent + ROUNDING * reach.farthest;
+  }
+
+  private boolean isModerate() {
+    return Math.abs(magnitude) <= MODERATE && Double.isFinite(rounding);
   }
 
   /** The translation that would bring the mesh to the origin, as a scene file has it. */
   String translationToOrigin(final ExactPlacement placement) {
     final Point3d centre = placement.applied(centre());
-    final int digits = (int) Math.max(0, Math.min(12, 3 - Math.floor(Math.log10(extent(placement)))));
+    final double extent = Reach.of(box(), placement).extent;
+    final int digits = (int) Math.max(0, Math.min(12, 3 - Math.floor(Math.log10(extent))));
     final String format = "%." + digits + "f %." + digits + "f %." + digits + "f";
     return String.format(Locale.ROOT, format, placement.shift().x - centre.x, placement.shift().y - centre.y,
         placement.shift().z - centre.z);
   }
 
-  /** The arrays about the centre of the mesh. */
+  /** The arrays about the centre of the mesh, and of a size about 1 if its own is near the limits of floats. */
   MeshData aboutCentre() {
     final double[] centre = new double[3], coordinates = data.coordinates().clone();
     centre().get(centre);
     for (int i = 0; i < coordinates.length; i++) {
-      coordinates[i] -= centre[i % 3];
+      final int k = i % 3;
+      // Vertices that no triangle has may be anywhere.
+      coordinates[i] = (Math.max(min[k], Math.min(max[k], coordinates[i])) - centre[k]) / unit();
     }
     return new MeshData(coordinates, data.corners(), data.normals(), data.texCoords());
   }
 
+  /** What is 1 in the arrays about the centre: a power of 2. */
+  private double unit() {
+    return isModerate() ? 1 : Math.scalb(1.0, magnitude);
+  }
+
   /** A mesh about its centre where a placement takes it. */
   Object3D applied(final ExactPlacement placement, final Object3D mesh) {
-    return AffineTransformation.of(placement.scale(), placement.rotation(), new Vector3d(placement.applied(centre())), mesh);
+    final Vector3d scale = new Vector3d(placement.scale());
+    scale.scale(unit());
+    return AffineTransformation.of(scale, placement.rotation(), new Vector3d(placement.applied(centre())), mesh);
   }
 }

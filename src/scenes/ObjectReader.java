@@ -88,7 +88,8 @@ final class ObjectReader {
     if (counts == null) {
       values.problems().error(object.offset(), "noMaterial");
     } else {
-      values.problems().warning(counts.offset(), "matte", counts.name());
+      values.problems().warning(counts.offset(), counts.name().equals("color") ? "matte" : "matteTexture",
+          counts.name());
     }
     return plain;
   }

@@ -21,6 +21,9 @@ record Range(double low, boolean lowAllowed, double high, boolean highAllowed) {
   /** Factors of reflection. */
   static final Range UNIT = new Range(0, true, 1, true);
 
+  /** Shares of a whole, which may exceed 1 by what their sum may. */
+  static final Range SHARE = new Range(0, true, 1 + LightReader.TOLERANCE, true);
+
   /** Degrees of a slope. */
   static final Range RIGHT_ANGLE = new Range(0, true, 90, true);
 
@@ -55,7 +58,8 @@ record Range(double low, boolean lowAllowed, double high, boolean highAllowed) {
     return contains(2.5) ? "2.5" : "0.5";
   }
 
+  /** A bound as people write it: without its tolerance. */
   private static String number(final double x) {
-    return x == Math.rint(x) ? Long.toString((long) x) : Double.toString(x);
+    return Math.abs(x - Math.rint(x)) <= LightReader.TOLERANCE ? Long.toString(Math.round(x)) : Double.toString(x);
   }
 }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 
 import arguments.Messages;
+import diagnostics.UnusualBlank;
 
 /**
  * The names of the scene language, and the warnings about those that are not of it.
@@ -138,9 +139,9 @@ final class SceneGrammar {
 
   private void strayText(final Element element, final Element section) {
     final String text = element.text();
-    if (Blanks.stripped(text).isEmpty()) {
-      final int odd = Blanks.firstOdd(text);
-      problems.warning(element.textOffset(odd), "oddBlank", section.name(), Blanks.name(text.charAt(odd)));
+    if (UnusualBlank.stripped(text).isEmpty()) {
+      final int odd = UnusualBlank.indexIn(text);
+      problems.warning(element.textOffset(odd), "oddBlank", section.name(), UnusualBlank.name(text.charAt(odd)));
     } else {
       problems.warning(element.valueOffset(), "strayText", Messages.quote(text), section.name());
     }
@@ -191,7 +192,7 @@ final class SceneGrammar {
 
   private static String type(final Element section) {
     final Element.Attribute attribute = section.attribute("type");
-    return attribute == null ? null : Blanks.stripped(attribute.value());
+    return attribute == null ? null : UnusualBlank.stripped(attribute.value());
   }
 
   private Set<String> allowed(final Element section) {

@@ -6,6 +6,7 @@ import javax.xml.stream.Location;
 import javax.xml.stream.XMLStreamException;
 
 import arguments.Messages;
+import diagnostics.UnusualBlank;
 
 /**
  * Says what is wrong with a file that is not well-formed XML. Woodstox finds the first fault; what was being read is seen
@@ -200,7 +201,7 @@ final class SyntaxDiagnosis {
   /** The character at a place, fit for a message: one that is not of ASCII is named, as it might not be seen. */
   static String character(final String text, final int at) {
     final int c = at < text.length() ? text.codePointAt(at) : ' ';
-    return Messages.quote(Character.toString(c)) + (c > '~' ? " (" + Blanks.name(c) + ")" : "");
+    return Messages.quote(Character.toString(c)) + (c > '~' ? " (" + UnusualBlank.name(c) + ")" : "");
   }
 
   static boolean isBlank(final char c) {

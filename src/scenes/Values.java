@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 import arguments.Messages;
+import diagnostics.UnusualBlank;
 
 /**
  * The values of the elements of a scene file. Each method looks for a value at any depth below an element, reports
@@ -120,7 +121,7 @@ final class Values {
 
   private float number(final Token token, final String name, final Range range) {
     if (!isNumber(token.text)) {
-      problems.error(token.offset, "notNumber", name, Messages.quote(token.text), Expected.number(range).text(name));
+      wrong(token, "notNumber", name, Expected.number(range));
       return Float.NaN;
     }
     final float number = Float.parseFloat(token.text);
@@ -131,6 +132,15 @@ final class Values {
       return Float.NaN;
     }
     return number;
+  }
+
+  /** Reports a text that is not what was expected, or that is missing. */
+  private void wrong(final Token token, final String key, final String name, final Expected expected) {
+    if (token.text.isEmpty()) {
+      problems.error(token.offset, "empty", name, expected.text(name));
+    } else {
+      problems.error(token.offset, key, name, Messages.quote(token.text), expected.text(name));
+    }
   }
 
   /** A number that a text was rounded to, but neither infinite nor 0 if the text is not. */
@@ -194,8 +204,7 @@ final class Values {
     final double number = sound ? Double.parseDouble(text) : Double.NaN;
     if (!(number >= minimum && number <= Integer.MAX_VALUE)) {
       final String key = number > Integer.MAX_VALUE ? "beyondInteger" : sound ? "outOfRange" : "notInteger";
-      problems.error(value.valueOffset(), key, value.name(), Messages.quote(text),
-          Expected.integer(minimum).text(value.name()));
+      wrong(new Token(text, value.valueOffset()), key, value.name(), Expected.integer(minimum));
       return NONE;
     }
     return (int) number;
@@ -216,7 +225,7 @@ final class Values {
   private boolean bool(final Element value) {
     final String text = text(value).strip();
     if (!text.equalsIgnoreCase("true") && !text.equalsIgnoreCase("false")) {
-      problems.error(value.valueOffset(), "notBool", value.name(), Messages.quote(text), Expected.BOOL.text(value.name()));
+      wrong(new Token(text, value.valueOffset()), "notBool", value.name(), Expected.BOOL);
     }
     return text.equalsIgnoreCase("true");
   }
@@ -279,21 +288,21 @@ final class Values {
   /** The text of a number or truth value; what only looks like a blank counts as one, with a warning. */
   private String text(final Element value) {
     final String text = value.text();
-    final int odd = Blanks.firstOdd(text);
+    final int odd = UnusualBlank.indexIn(text);
     if (odd < 0) {
       return text;
     }
-    problems.warning(value.textOffset(odd), "oddBlank", value.name(), Blanks.name(text.charAt(odd)));
-    return Blanks.plain(text);
+    problems.warning(value.textOffset(odd), "oddBlank", value.name(), UnusualBlank.name(text.charAt(odd)));
+    return UnusualBlank.replaced(text);
   }
 
   /** The text of a value, without the blanks around it; null, which is an error, if there is nothing else. */
   String name(final Element value) {
-    final int odd = Blanks.firstOdd(value.text());
+    final int odd = UnusualBlank.indexIn(value.text());
     if (odd >= 0) {
-      problems.warning(value.textOffset(odd), "oddBlankInName", value.name(), Blanks.name(value.text().charAt(odd)));
+      problems.warning(value.textOffset(odd), "oddBlankInName", value.name(), UnusualBlank.name(value.text().charAt(odd)));
     }
-    final String text = Blanks.stripped(value.text());
+    final String text = UnusualBlank.stripped(value.text());
     if (text.isEmpty()) {
       problems.error(value.offset(), "empty", value.name(), Expected.NAME.text(value.name()));
       return null;
@@ -304,10 +313,10 @@ final class Values {
   /** A required attribute, without the blanks around it; null if it is missing. */
   String attribute(final Element element, final String name) {
     final Element.Attribute attribute = element.attribute(name);
-    final String value = attribute == null ? "" : Blanks.stripped(attribute.value());
-    final int odd = attribute == null ? -1 : Blanks.firstOdd(attribute.value());
+    final String value = attribute == null ? "" : UnusualBlank.stripped(attribute.value());
+    final int odd = attribute == null ? -1 : UnusualBlank.indexIn(attribute.value());
     if (odd >= 0) {
-      problems.warning(attribute.offset(), "oddBlankInName", name, Blanks.name(attribute.value().charAt(odd)));
+      problems.warning(attribute.offset(), "oddBlankInName", name, UnusualBlank.name(attribute.value().charAt(odd)));
     }
     if (value.isEmpty()) {
       problems.error(element.offset(), "missingAttribute", element.name(), name);

@@ -45,6 +45,12 @@ class SimilarFileTest {
   }
 
   @Test
+  void aFolderIsNotMissing() throws IOException {
+    Files.createDirectories(folder.resolve("models/cow.obj"));
+    assertEquals("", SimilarFile.question(folder.resolve("models/cow.obj"), ".xml", ".png"));
+  }
+
+  @Test
   void accentsOfTheOtherNormalForm() throws IOException {
     final String composed = "pr\u00e1ctica.xml", decomposed = "pra\u0301ctica.xml";
     assumeTrue(LocaleCharset.canExpress(composed), LocaleCharset.name());

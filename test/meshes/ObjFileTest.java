@@ -89,6 +89,14 @@ class ObjFileTest {
   }
 
   @Test
+  void aCoordinateThatNoFloatHoldsIsAnErrorWhereNothingIsPlaced() {
+    final Path file = files.write("a.obj", TRIANGLE + "v 0 -1e39 0\nv 0 0 1e40\n");
+    final String message = assertThrows(ObjFile.InvalidException.class, () -> ObjFile.read(file, Color.PINK)).getMessage();
+    assertTrue(message.startsWith(file + ":") && message.endsWith(":5: the coordinate `-1e39` is too large: "
+        + "expected at most 3.4e38 in absolute value"), message);
+  }
+
+  @Test
   void aTextureColoursIt() {
     final BufferedImage image = new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB);
     image.setRGB(1, 0, 0x123456);

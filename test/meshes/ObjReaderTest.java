@@ -90,7 +90,8 @@ class ObjReaderTest {
   @ParameterizedTest
   @ValueSource(strings = {"f 1 2 3", "f 1/4 2/5 3/1", "f 1//1 2//1 3//1", "f 1/2/3 2/3/4 3/4/5", "f -4 -3 -2", "f "
       + "-4/-1/-1 -3 -2//-1",
-    "f 1 2 \\\n 3", "f \\\r\n1 2\\\n3", "f\t1\t2\t3  ", "f 1 2 3 # a triangle", "f 1 2 3#", "f +1 2 3", "f 1/ 2/ 3/"})
+    "f 1 2 \\\n 3", "f \\\r\n1 2\\\n3", "f\t1\t2\t3  ", "f 1 2 3 # a triangle", "f 1 2 3#", "f +1 2 3", "f 1/ 2/ 3/",
+    "f 1/+1/+2 2 3"})
   void allFormsOfAFacet(final String facet) {
     final String square = SQUARE + "vt 0 0\n".repeat(5) + "vn 0 0 1\n".repeat(5);
     assertArrayEquals(new int[] {0, 1, 2}, corners(square + facet), facet);
@@ -129,6 +130,11 @@ class ObjReaderTest {
     assertEquals("this polygon of 4 corners crosses itself or has no area: it is drawn as the fan of its first corner",
         reading.problems().get(0).message());
     assertEquals(5, reading.problems().get(0).line());
+  }
+
+  @Test
+  void aPolygonOfAVertexAtFaultIsNotBlamed() {
+    assertProblems(SQUARE + "v 1 2\nf 1 2 3 5 4\n", "5:1: a vertex has fewer than three numbers: expected `v x y z`");
   }
 
   @Test
@@ -176,7 +182,7 @@ class ObjReaderTest {
     "v|5:1: a vertex has fewer than three numbers: expected `v x y z`",
     "v 1 two 3|5:5: not a number: found `two`, expected a coordinate such as 2.5",
     "v 1 2,5 3|5:5: not a number: found `2,5`, expected a coordinate such as 2.5",
-    "v 1 1e39 3|5:5: the coordinate `1e39` is too large: expected less than 3.4e38",
+    "v 1 -1e309 3|5:5: the coordinate `-1e309` is too large: expected at most 1.8e308 in absolute value",
     "v nan 0 0|5:3: not a number: found `nan`, expected a coordinate such as 2.5",
     "f 1 2|5:1: a facet of 2 corners: expected three or more, `f a b c`",
     "f|5:1: a facet of 0 corners: expected three or more, `f a b c`",
@@ -202,7 +208,8 @@ class ObjReaderTest {
             + "line: 2 vertices so far");
     final ObjReader.Result many = read("v 1 2\n".repeat(1000));
     assertEquals(ObjReader.MOST_ERRORS + 1, many.problems().size());
-    assertTrue(many.problems().get(ObjReader.MOST_ERRORS).message().startsWith("more than 20 errors"));
+    assertTrue(many.problems().get(ObjReader.MOST_ERRORS).message().startsWith("20 errors up to here"));
+    assertEquals(ObjReader.MOST_ERRORS, read("v 1 2\n".repeat(ObjReader.MOST_ERRORS)).problems().size());
   }
 
   @Test
@@ -210,7 +217,7 @@ class ObjReaderTest {
     final ObjReader.Result reading = read(SQUARE + "v 2 0 0\nf 1 2 3\nf 1 1 2\nf 1 2 5\nf 1 3 4\n");
     assertProblems(reading, "7:1: warning: triangles without area that are left out: 2, the first in this line");
     assertArrayEquals(new int[] {0, 1, 2, 0, 2, 3}, reading.mesh().flat().corners());
-    assertProblems(SQUARE + "f 1 2 2\n", "1:1: no facet is left: all 1 triangles are without area");
+    assertProblems(SQUARE + "f 1 2 2\n", "1:1: no facet has an area; triangles left out: 1");
   }
 
   @Test

@@ -64,7 +64,9 @@ class CameraTextTest {
     final String latin = "<?xml version='1.0' encoding='ISO-8859-1'?>" + xml(camera);
     for (final Object[] kind : new Object[][] {{xml(camera), StandardCharsets.UTF_8}, {latin, StandardCharsets.ISO_8859_1},
         {xml(camera), StandardCharsets.ISO_8859_1}, {"\ufeff" + xml(camera), StandardCharsets.UTF_8},
-        {"\ufeff" + xml(camera), StandardCharsets.UTF_16LE}, {"\ufeff" + xml(camera), StandardCharsets.UTF_16BE}}) {
+        {"\ufeff" + xml(camera), StandardCharsets.UTF_16LE}, {"\ufeff" + xml(camera), StandardCharsets.UTF_16BE},
+        {xml(camera), StandardCharsets.UTF_16BE}, {"\ufeff" + xml(camera), Charset.forName("UTF-32LE")},
+        {xml(camera), Charset.forName("UTF-32BE")}}) {
       final Charset charset = (Charset) kind[1];
       final Path file = file((String) kind[0], charset);
       MOVED.writeTo(file);

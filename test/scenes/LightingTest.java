@@ -126,8 +126,10 @@ class LightingTest {
   @CsvSource(delimiter = '|', value = {
     "<spectrum>0.5 0.25 0.25|<spectrum>0.5 0.25 0.2|30:51: the shares of `spectrum` must sum to 1: found `0.5 0.25 0.2`, "
         + "expected for example 0.33 0.34 0.33",
-    "<spectrum>0.5|<spectrum>-0.5|30:51: `spectrum` is out of range: found `-0.5`, expected a number such as 2.5, "
-        + "spectrum >= 0",
+    "<spectrum>0.5|<spectrum>-0.5|30:51: `spectrum` is out of range: found `-0.5`, expected a number such as 0.5, "
+        + "0 <= spectrum <= 1",
+    "<spectrum>0.5|<spectrum>1.5|30:51: `spectrum` is out of range: found `1.5`, expected a number such as 0.5, "
+        + "0 <= spectrum <= 1",
     "<power>100|<power>0|30:82: `power` is out of range: found `0`, expected a number such as 2.5, power > 0",
     "<power>100</power>||30:11: `light` lacks `power`: expected a number such as 2.5, power > 0."})
   void wrongLightsAreErrorsWithTheirPlaces(final String part, final String other, final String message) {
@@ -152,7 +154,8 @@ class LightingTest {
     assertProblems(withMaterial("<brdf id=\"m\" type=\"Ideal-Conductor\"></brdf>"), "31:12: `brdf` lacks "
         + "`conductiveReflectance`: expected three numbers separated by blanks, such as 0.2 0.5 0.3, each 0 <= x <= 1.");
     assertProblems(read("", LIGHT.replace("<spectrum>0.5 0.25 0.25</spectrum>", ""), BRDF, "<materialId>m</materialId>"),
-        "30:11: `light` lacks `spectrum`: expected three numbers separated by blanks, such as 0.2 0.5 0.3, each x >= 0.");
+        "30:11: `light` lacks `spectrum`: expected three numbers separated by blanks, such as 0.2 0.5 0.3, each "
+        + "0 <= x <= 1.");
   }
 
   @ParameterizedTest
@@ -180,7 +183,8 @@ class LightingTest {
     final String glass = "<btdf id=\"m\" type=\"Cook-Torrance\"><eta_int>1.5</eta_int></btdf>";
     final String black = "31:12: warning: this `btdf` lets nothing through and reflects nothing: without a "
         + "`dielectricReflectance` other than 0 it shows black";
-    assertProblems(withMaterial(glass), polished.replace("brdf", "btdf"), black);
+    assertProblems(withMaterial(glass), "31:12: warning: `beta` is not given: this `btdf` is polished and shows clear glass",
+        black);
     assertProblems(withMaterial(glass.replace("Cook-Torrance", "Ideal-Dielectric")), black);
     assertProblems(withMaterial(glass.replace("<eta_int>1.5</eta_int>", "<beta>5</beta><dielectricReflectance>1 1 1"
         + "</dielectricReflectance>")), "31:12: `btdf` lacks `eta_int`: expected a number such as 2.5, eta_int > 0.");

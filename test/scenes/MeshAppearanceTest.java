@@ -1,6 +1,7 @@
 package scenes;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
@@ -11,6 +12,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
 
@@ -35,6 +37,14 @@ class MeshAppearanceTest {
   /** The square from (−1, −1) to (1, 1), the image upright on it. */
   private static final String SQUARE = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
   private static final String FACET = "f 1/1 2/2 3/3 4/4\n";
+
+  /** A JPEG file of one pixel: cyan 121, magenta 255, yellow 71, no black. */
+  private static final String INKS = "/9j/7gAOQWRvYmUAZAAAAAAA/9sAQwADAgIDAgIDAwMDBAMDBAUIBQUEBAUKBwcGCAwKDAwLCgsLDQ4SEA0O"
+      + "EQ4LCxAWEBETFBUVFQwPFxgWFBgSFBUU/8AAFAgAAQABBEMRAE0RAFkRAEsRAP/EAB8AAAEFAQEBAQEBAAAA"
+      + "AAAAAAABAgMEBQYHCAkKC//EALUQAAIBAwMCBAMFBQQEAAABfQECAwAEEQUSITFBBhNRYQcicRQygZGhCCNC"
+      + "scEVUtHwJDNicoIJChYXGBkaJSYnKCkqNDU2Nzg5OkNERUZHSElKU1RVVldYWVpjZGVmZ2hpanN0dXZ3eHl6"
+      + "g4SFhoeIiYqSk5SVlpeYmZqio6Slpqeoqaqys7S1tre4ubrCw8TFxsfIycrS09TV1tfY2drh4uPk5ebn6Onq"
+      + "8fLz9PX29/j5+v/aAA4EQwBNAFkASwAAPwDQr8qq+la/VOv/2Q==";
 
   @TempDir
   Path folder;
@@ -162,6 +172,7 @@ class MeshAppearanceTest {
   @CsvSource(delimiter = '|', value = {"Kd 1 0 0|ff0000|255", "Kd 0.5|808080|255", "Kd 2 -1 0.2|ff0033|255",
     "Kd spectral a.rfl|cccccc|255", "Kd 0 0 1;d 0.5|0000ff|128", "Kd 0 0 1;Tr 0.25|0000ff|191", "d 0|cccccc|255",
     "Tr 1|cccccc|255", "Tr 0.3;d 0.5|cccccc|128", "d 0.5;Tr 0.3|cccccc|128", "d -halo 0.5|cccccc|128",
+    "d 0.5 x # 1|cccccc|128",
     "Ka 1 1 1;Ns x|cccccc|255",
     "map_Kd none.png;Kd 0 1 0|00ff00|255"})
   void materialsGiveColourAndOpacity(final String properties, final String rgb, final int alpha) {
@@ -188,10 +199,31 @@ class MeshAppearanceTest {
   }
 
   @Test
+  void optionsOfTexturesAreReadWithTheirArguments() {
+    files.write("the map.png", image("png", quarters(BufferedImage.TYPE_INT_RGB)));
+    for (final String options : List.of("", "-blendu off ", "-mm 0 1 -texres 512 ", "-o 0 -s 1 1 -t 0 0 0 ",
+        "-unknown 7 ")) {
+      final ReadResult reading = readMaterial("newmtl Material #25\nmap_Kd " + options + "the map.png\n");
+      assertEquals(List.of(), warnings(reading), options);
+      assertEquals(Color.RED, colour(reading, -0.5, 0.5), options);
+    }
+  }
+
+  @Test
+  void inksOfAnImageForPrintingAreMultiplied() {
+    files.write("inks.jpg", Base64.getDecoder().decode(INKS));
+    final Color color = colour(read(SQUARE + FACET, "", "<textureFile>inks.jpg</textureFile>"), 0.1, 0);
+    assertEquals(0, Math.max(Math.abs(color.getRed() - 134), Math.max(color.getGreen(), Math.abs(color.getBlue() - 184))), 3,
+        color::toString);
+  }
+
+  @Test
   void statementsWithoutTheNameOfAFileAreWarnings() {
     assertEquals(List.of("my materials.mtl:2: `map_Kd` names no texture file: its facets have the colour Kd"),
         warnings(readMaterial("newmtl Material #25\nmap_Kd -s 1 1 1 -clamp on\n")));
     assertEquals(List.of("m.obj:1: `mtllib` names no material file"), warnings(read("mtllib\n" + SQUARE + FACET, "", "")));
+    assertEquals(List.of("m.obj:9: `usemtl` names no material: the facets after it are light grey"),
+        warnings(read(SQUARE + "usemtl \n" + FACET, "", "")));
   }
 
   @Test
@@ -202,6 +234,7 @@ class MeshAppearanceTest {
         "m.obj:10: no material file has the material `x`: its facets are light grey"), warnings(reading));
     assertEquals(new Color(204, 204, 204), colour(reading, 0.1, 0));
     assertEquals(List.of(), read("mtllib a.mtl\n" + SQUARE + FACET, "", "<color>1 0 0</color>").problems());
+    assertEquals(List.of(), read(SQUARE + FACET + "usemtl of no facet\n", "", "").problems());
     assertEquals(1, read(SQUARE + FACET, "", "").problems().size());
   }
 
@@ -255,6 +288,32 @@ class MeshAppearanceTest {
       }
       assertTrue(read(moved(p, c, d, -c), "", "<color>1 0 0</color>" + turn).scene().isPresent());
     });
+  }
+
+  @Test
+  void coordinatesThatNoFloatHoldsArePlacedFirst() {
+    final String vertices = "v -1e39 -1e39 0\nv 1e39 -1e39 0\nv 1e39 1e39 0\nv -1e39 1e39 0\nv 1e200 0 0\nf 1 2 3 4\n";
+    final ReadResult placed = read(vertices, "", "<color>1 0 0</color><scaleFactors>1e-39 1e-39 1e-39</scaleFactors>");
+    assertEquals(List.of(), placed.problems());
+    assertEquals(9, hit(placed, 0.9, 0.9).getT(), 1e-5);
+    assertFalse(hit(placed, 1.1, 0.9).hits());
+    assertEquals(List.of("scene.xml:31: a vertex of the mesh is placed where no float can hold it: expected "
+        + "coordinates less than 3.4e38"), warnings(read(vertices, "", "<color>1 0 0</color>")));
+    final String small = vertices.replace("e39", "e-44");
+    final ReadResult large = read(small, "", "<color>1 0 0</color><scaleFactors>1e38 1e38 1e38</scaleFactors>");
+    assertTrue(hit(large, 9e-7, -9e-7).hits());
+    assertFalse(hit(large, 9e-7, -1.1e-6).hits());
+  }
+
+  /** Turned by 45 degrees, a square on its corner has the extent of its sides; the box about it reaches twice as far. */
+  @Test
+  void farAwayIsSaidOfTheMeshNotOfItsBox() {
+    final String square = "v 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nf 1 2 3 4\n";
+    for (final int distance : new int[] {14_100, 14_300}) {
+      final ReadResult reading = read(square, "", "<color>1 0 0</color><rotationAxis>0 0 1</rotationAxis>"
+          + "<rotationAngle>45</rotationAngle><translation>" + distance + " 0 0</translation>");
+      assertEquals(distance > 10_000 * Math.sqrt(2) ? 1 : 0, reading.problems().size(), () -> "at " + distance);
+    }
   }
 
   @Test

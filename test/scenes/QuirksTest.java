@@ -251,6 +251,15 @@ class QuirksTest {
     assertTrue(reading.problems().get(0).message().contains("found `" + text + "`"), reading.problems().toString());
   }
 
+  @Test
+  void aValueWithoutTextIsEmpty() {
+    for (final String[] value : new String[][] {{"<radius>1", "radius"}, {"<W>40", "W"},
+        {"<illumination>false", "illumination"}}) {
+      final String message = files.readWith(value[0], "<" + value[1] + "> ").problems().get(0).message();
+      assertTrue(message.startsWith("`" + value[1] + "` is empty: expected "), message);
+    }
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"5", "+5.0", ".5", "1e-3", "5.", "1E+2", "00.10"})
   void allFormsOfDecimals(final String text) {

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -337,7 +338,12 @@ class SceneReaderTest {
     assertProblems(SceneReader.read(files.write("utf8.xml", marked)));
     final String accented = SceneFiles.with("<raster>", "<!-- cámara --><raster>");
     assertProblems(SceneReader.read(files.write("u.xml", accented.getBytes(StandardCharsets.UTF_8))));
-    assertProblems(SceneReader.read(files.write("u16.xml", ("\ufeff" + accented).getBytes(StandardCharsets.UTF_16LE))));
+    for (final String wide : List.of("UTF-16LE", "UTF-16BE", "UTF-32LE", "UTF-32BE")) {
+      for (final String text : List.of("\ufeff" + accented, accented, accented.replace("?>", " encoding='" + wide + "'?>"),
+          accented.substring(accented.indexOf("<image")))) {
+        assertProblems(SceneReader.read(files.write("wide.xml", text.getBytes(Charset.forName(wide)))));
+      }
+    }
     assertProblems(SceneReader.read(files.write("l.xml", accented.getBytes(StandardCharsets.ISO_8859_1))),
         "1:1: warning: the file is not encoded in `UTF-8`; read as Latin-1");
     final String declared = accented.replace("?>", " encoding='ISO-8859-1'?>");
