@@ -5,9 +5,9 @@ import java.io.InputStream;
 import java.util.Arrays;
 
 /**
- * The bytes of a text file, through a window in which no word is ever cut: before each word, {@link #reserve} makes
- * sure that the next {@link #LONGEST} bytes are there, or the end of the file with line feeds after it. So the loops
- * over the bytes of a word need not ask whether there is another. The byte before the next one stays in the window too.
+ * The bytes of a text file, through a window in which no word is ever cut: before each word, {@link #reserve} ensures
+ * that the next {@link #LONGEST} bytes are in the window, or the end of the file followed by line feeds. So the loops
+ * over the bytes of a word need no test for the end. The byte before the next one stays in the window too.
  */
 final class ByteReader {
 
@@ -16,7 +16,7 @@ final class ByteReader {
 
   private static final int SIZE = 1 << 16;
 
-  /** The window, read by who parses; only {@link #reserve} changes it. */
+  /** The window, read by parsers; only {@link #reserve} changes it. */
   final byte[] window = new byte[SIZE + LONGEST];
   /** The next byte of the window. */
   int at;
@@ -27,13 +27,13 @@ final class ByteReader {
   private long before;
   private boolean ended;
 
-  /** The bytes of a stream, of which no more than a number are accepted. */
+  /** The bytes of a stream, up to a limit. */
   ByteReader(final InputStream in, final long most) {
     this.in = in;
     this.most = most;
   }
 
-  /** Makes sure that the window reaches {@link #LONGEST} bytes past {@link #at}. */
+  /** Ensures that the window extends {@link #LONGEST} bytes beyond {@link #at}. */
   void reserve() throws IOException {
     if (end - at < LONGEST && !ended) {
       refill();
@@ -62,7 +62,7 @@ final class ByteReader {
     return ended && at >= end;
   }
 
-  /** Whether the window ends at an index although the file does not: a word that reaches there is cut, so long it is. */
+  /** Whether the window ends at an index although the file does not: a word that extends to there is too long. */
   boolean isCut(final int i) {
     return i >= end && !ended;
   }
@@ -77,7 +77,7 @@ final class ByteReader {
     return before;
   }
 
-  /** There is more in a file than is accepted. */
+  /** A file is longer than the limit. */
   static final class TooLongException extends IOException {
     private static final long serialVersionUID = 1L;
   }

@@ -3,8 +3,8 @@ package meshes;
 import java.util.Arrays;
 
 /**
- * The normals and texture coordinates that the corners of facets can name, and how many of them are missing: statements
- * without numbers, and indices that name none.
+ * The normals and texture coordinates that the corners of facets can name, and the number of missing ones: statements
+ * without numbers, and invalid indices.
  */
 final class CornerAttributes {
 
@@ -54,7 +54,7 @@ final class CornerAttributes {
     return texCoords.size / 2;
   }
 
-  /** Counts one that is missing in a line. */
+  /** Counts a missing one in a line. */
   void miss(final int line) {
     firstMissingLine = missing++ == 0 ? line : firstMissingLine;
   }

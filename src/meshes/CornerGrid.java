@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.function.IntPredicate;
 
 /**
- * The corners of a large polygon in the cells of a grid over its plane, so that those in an ear are found without looking at
- * all. An ear is looked up row by row in the cells that it crosses: a long thin one crosses few.
+ * The corners of a large polygon in the cells of a grid over its plane, so that those in an ear are found without testing
+ * all of them. An ear is looked up row by row in the cells that it overlaps: a long thin one overlaps few.
  */
 final class CornerGrid {
 
@@ -20,7 +20,7 @@ final class CornerGrid {
   private final int[] first;
   private final int[] next;
 
-  /** The range of cells of a row that the ear at hand crosses. */
+  /** The range of cells of a row that the current ear overlaps. */
   private double low;
   private double high;
 
@@ -60,7 +60,7 @@ final class CornerGrid {
     return Math.max(0, Math.min(cells - 1, (int) ((x - minX) / cellX)));
   }
 
-  /** Takes a corner out. */
+  /** Removes a corner. */
   void remove(final int corner) {
     final int cell = cellOf(corner);
     if (first[cell] == corner) {
@@ -101,8 +101,8 @@ final class CornerGrid {
   }
 
   /**
-   * How far from the triangle a corner can lie that counts as inside by the tolerance of areas: its barycentric coordinates
-   * are at least −tolerance / area. To this the rounding of the rows' places is added.
+   * How far from the triangle a corner can lie that counts as inside by the tolerance of areas: its barycentric
+   * coordinates are at least −tolerance / area. The rounding of row positions is added.
    */
   private double margin(final int a, final int b, final int c) {
     final double width = Math.abs(polygon.x(b) - polygon.x(a)) + Math.abs(polygon.x(c) - polygon.x(a)),
@@ -120,7 +120,7 @@ final class CornerGrid {
     widen(qy, qx, from, to, px, py);
   }
 
-  /** Widens the range by the end of an edge, moved along it to the border of the row if it lies beyond. */
+  /** Widens the range by the end of an edge, clipped to the row. */
   private void widen(final double y, final double x, final double from, final double to, final double otherX,
       final double otherY) {
     final double border = Math.max(from, Math.min(to, y));

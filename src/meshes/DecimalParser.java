@@ -2,7 +2,7 @@ package meshes;
 
 import ch.randelshofer.fastdoubleparser.JavaDoubleParser;
 
-/** Reads decimal numbers from bytes: finds where one ends, and leaves its value to fastdoubleparser. */
+/** Reads decimal numbers from bytes: finds where one ends, and lets fastdoubleparser compute its value. */
 final class DecimalParser {
 
   private int end;
@@ -13,7 +13,7 @@ final class DecimalParser {
   }
 
   /**
-   * Reads a number: a sign, digits, a point, an exponent. What follows it is for the caller to look at.
+   * Reads a number: a sign, digits, a point, an exponent. The caller checks what follows it.
    *
    * @param bytes the bytes, in which something other than a number follows
    * @param start index of the first byte

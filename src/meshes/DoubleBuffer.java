@@ -2,7 +2,7 @@ package meshes;
 
 import java.util.Arrays;
 
-/** Numbers in an array that grows. */
+/** A growing array of numbers. */
 final class DoubleBuffer {
 
   double[] values = new double[3 * 1024];

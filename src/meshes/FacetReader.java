@@ -4,23 +4,23 @@ import java.io.IOException;
 import java.util.Arrays;
 
 /**
- * Reads the corners of a facet: {@code i}, {@code i/t}, {@code i//n} or {@code i/t/n}, where each index counts from 1, or,
- * if negative, back from the last of its kind. What follows the vertex is as if it were not there if it names nothing.
+ * Reads the corners of a facet: {@code i}, {@code i/t}, {@code i//n} or {@code i/t/n}, where each index counts from 1,
+ * or, if negative, back from the last of its kind. What follows the vertex is ignored if it is invalid.
  */
 final class FacetReader {
 
-  /** More digits than this are no index. */
+  /** An index has at most this many digits. */
   private static final int MOST_DIGITS = 18;
 
-  /** What a facet turned out to be. */
+  /** The outcome of reading a facet. */
   enum Outcome {
     /** Three corners or more. */
     SOUND,
     /** Fewer than three corners. */
     SHORT,
-    /** The text holds something at its place that is no corner. */
+    /** The text at the current place is not a corner. */
     NOT_CORNER,
-    /** A corner names a vertex that is not there. */
+    /** A corner names a vertex that does not exist. */
     NO_VERTEX
   }
 
@@ -34,7 +34,7 @@ final class FacetReader {
   private boolean hasTexCoords;
   private boolean lacksTexCoords;
 
-  /** The index that was read last, and where its digits end. */
+  /** The last index read, and where its digits end. */
   private long index;
   private int end;
 
@@ -102,13 +102,13 @@ final class FacetReader {
     for (int digit = window[i] - '0'; digit >= 0 && digit <= 9; digit = window[++i] - '0') {
       index = 10 * index + digit;
     }
-    // So minus nothing names none, as nothing does.
+    // So a lone minus sign names none, as does an empty index.
     index = negative && index == 0 ? Long.MIN_VALUE / 2 : negative ? -index : index;
     end = i;
     return i > digits && i - digits <= MOST_DIGITS;
   }
 
-  /** Reads the index after a slash; counts it as missing if it is there but names none. */
+  /** Reads the index after a slash; counts it as missing if it is given but invalid. */
   private int attribute(final int count) {
     final byte[] window = text.bytes.window;
     final int start = end + 1;

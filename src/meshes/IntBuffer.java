@@ -2,13 +2,13 @@ package meshes;
 
 import java.util.Arrays;
 
-/** Whole numbers in an array that grows. */
+/** A growing array of integers. */
 final class IntBuffer {
 
   int[] values = new int[1024];
   int size;
 
-  /** Makes room for some more. */
+  /** Ensures room for more numbers. */
   void reserve(final int more) {
     if (size + more > values.length) {
       values = Arrays.copyOf(values, larger(values.length, more));
@@ -20,7 +20,7 @@ final class IntBuffer {
     values[size++] = value;
   }
 
-  /** Adds a number several times until there are as many as wanted. */
+  /** Pads with a number up to a size. */
   void fill(final int value, final int wanted) {
     reserve(wanted - size);
     Arrays.fill(values, size, wanted, value);
@@ -31,7 +31,7 @@ final class IntBuffer {
     return Arrays.copyOf(values, size);
   }
 
-  /** Half as much again; what would not fit an array is left to the attempt to make it. */
+  /** Half as much again; a size beyond that of arrays fails when the array is allocated. */
   static int larger(final int length, final int more) {
     return (int) Math.min((long) length + Math.max(more, length / 2), Integer.MAX_VALUE);
   }

@@ -15,7 +15,7 @@ import arguments.Messages;
 import diagnostics.Problem;
 import models.Appearance;
 
-/** The materials of a mesh file: reads the files that it names, and finds what each of its triangles looks like. */
+/** The materials of a mesh file: reads the files that it names, and finds the appearance of each of its triangles. */
 public final class MaterialFiles {
 
   private final Path file;
@@ -25,10 +25,10 @@ public final class MaterialFiles {
   private final Map<String, MtlMaterial> materials = new HashMap<>();
 
   /**
-   * The materials of a mesh, which are read at once.
+   * Reads the materials of a mesh.
    *
    * @param file the file of the mesh
-   * @param mesh what was read of it
+   * @param mesh its contents
    */
   public MaterialFiles(final Path file, final ObjMesh mesh) {
     this.file = file;
@@ -53,7 +53,7 @@ public final class MaterialFiles {
   }
 
   /**
-   * Whether a mesh says anything of materials.
+   * Whether a mesh refers to materials.
    *
    * @param mesh the mesh
    * @return true if it names a material or a file of materials
@@ -62,7 +62,7 @@ public final class MaterialFiles {
     return !mesh.materials().libraries().isEmpty() || !mesh.materials().used().isEmpty();
   }
 
-  /** The statement is one name if there is such a file, else several, separated by blanks. */
+  /** The statement is one name if a file of that name exists, else several, separated by blanks. */
   private void read(final ObjMaterials.Name library) {
     final Path whole = find(file, library.text());
     final String[] names = whole != null ? new String[] {library.text()} : library.text().split("[ \t]+");
@@ -79,7 +79,7 @@ public final class MaterialFiles {
   }
 
   /**
-   * The file that another names: beside it, by its path or by the last part of that; null if there is none.
+   * The file that another refers to: relative to it, by its path or by the last part of the path; null if there is none.
    *
    * @param from the file that names it
    * @param name the name, in which backslashes separate folders too
@@ -93,14 +93,14 @@ public final class MaterialFiles {
           return found;
         }
       } catch (final InvalidPathException noPath) {
-        // Another way of writing it may be one.
+        // Another spelling may be valid.
       }
     }
     return null;
   }
 
   /**
-   * What triangles look like: first those without a material, then those of each name.
+   * The appearances of triangles: first that without a material, then that of each name.
    *
    * @return the appearances
    */
@@ -116,7 +116,7 @@ public final class MaterialFiles {
   /**
    * Which appearance each triangle has.
    *
-   * @return numbers in the list of appearances
+   * @return indices into the list of appearances
    */
   public int[] ofTriangles() {
     final int[] materialOf = mesh.materialOf(), ofTriangles = new int[mesh.flat().corners().length / 3];
@@ -127,7 +127,7 @@ public final class MaterialFiles {
   }
 
   /**
-   * What is wrong with the materials.
+   * The problems of the materials.
    *
    * @return warnings, with file and line
    */

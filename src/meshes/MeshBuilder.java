@@ -4,15 +4,15 @@ import models.AveragedNormals;
 import models.MeshData;
 
 /**
- * A mesh while it is read: vertices, and facets that are cut into triangles, with what their corners have besides. Triangles
- * without area are counted only.
+ * Builds a mesh while it is read: vertices, and facets that are cut into triangles, with the attributes of their corners.
+ * Triangles without area are only counted.
  */
 final class MeshBuilder {
 
-  /** Stands for a corner without normal or texture coordinates, and for a triangle without material. */
+  /** A corner without normal or texture coordinates, or a triangle without material. */
   static final int NONE = -1;
 
-  /** Triangles whose areas are looked at together, which goes faster than each alone. */
+  /** Triangles whose areas are tested together, which is faster. */
   private static final int MANY = 1024;
 
   private final DoubleBuffer coordinates = new DoubleBuffer();
@@ -20,10 +20,10 @@ final class MeshBuilder {
   /** The same for normals and texture coordinates, empty as long as no corner has any. */
   private final IntBuffer normals = new IntBuffer();
   private final IntBuffer texCoords = new IntBuffer();
-  /** The material of each triangle, empty as long as none has one. */
+  /** The material of each triangle; empty as long as none has one. */
   private final IntBuffer materials = new IntBuffer();
 
-  /** The triangles at the end whose areas have not been looked at yet, and their lines. */
+  /** The last triangles, whose areas have not been tested yet, and their lines. */
   private final int[] lines = new int[MANY];
   private int unsettled;
   private int dropped;
@@ -35,7 +35,7 @@ final class MeshBuilder {
   private int material = NONE;
   private int firstBareLine;
 
-  /** A builder of a mesh. @param averaged whether averages of the facets' normals will be asked for */
+  /** A builder of a mesh. @param averaged whether averages of the facets' normals will be needed */
   MeshBuilder(final boolean averaged) {
     this.averages = averaged ? new AveragedNormals() : null;
   }
@@ -48,7 +48,7 @@ final class MeshBuilder {
     return coordinates.size / 3;
   }
 
-  /** Says which material the facets that follow have. */
+  /** Sets the material of the following facets. */
   void use(final int itsMaterial) {
     material = itsMaterial;
   }
@@ -104,7 +104,7 @@ final class MeshBuilder {
     to.size += 3;
   }
 
-  /** Leaves out those of the last triangles that have no area. */
+  /** Drops those of the last triangles that have no area. */
   void settle() {
     final int first = corners.size / 3 - unsettled;
     int kept = first;
@@ -162,7 +162,7 @@ final class MeshBuilder {
     return firstDroppedLine;
   }
 
-  /** The mesh, once all is settled. */
+  /** The finished mesh. */
   ObjMesh mesh(final CornerAttributes attributes, final ObjMaterials usedMaterials) {
     final MeshData.Normals given = normals.size == 0 ? null
         : new MeshData.Normals(attributes.normals(), normals.toArray());

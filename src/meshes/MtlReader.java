@@ -16,11 +16,11 @@ import materials.Texture;
 
 /**
  * Reads a Wavefront material file as far as it says what colour a surface has: {@code Kd}, {@code d} or {@code Tr}, and
- * {@code map_Kd}. All else is passed over, and so are damaged numbers, which leave the default.
+ * {@code map_Kd}. Everything else is skipped; invalid numbers leave the default.
  */
 final class MtlReader {
 
-  /** A file longer than this, in bytes, is no material file. */
+  /** A file longer than this, in bytes, is not a material file. */
   private static final long LARGEST = 1L << 28;
 
   private final Path file;
@@ -41,8 +41,8 @@ final class MtlReader {
    *
    * @param file the file
    * @param problems receives the problems, which are warnings
-   * @param files gets the files of textures
-   * @param materials gets the materials by their names, unless it has one of the name
+   * @param files receives the files of textures
+   * @param materials receives the materials by their names, unless it has one of that name
    */
   MtlReader(final Path file, final Consumer<Problem> problems, final Collection<Path> files,
       final Map<String, MtlMaterial> materials) {

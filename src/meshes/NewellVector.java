@@ -2,7 +2,7 @@ package meshes;
 
 /**
  * The vector area of a polygon, flat or not: half the sum of (P<sub>i</sub> − P<sub>0</sub>) × (P<sub>i+1</sub> −
- * P<sub>0</sub>), which is perpendicular to the plane that fits it best and as long as its area there (Newell; see
+ * P<sub>0</sub>), which is perpendicular to the best-fitting plane and as long as the polygon's area in it (Newell; see
  * Sutherland, Sproull and Schumacker, "A characterization of ten hidden-surface algorithms", ACM Computing Surveys 6(1),
  * 1974).
  */

@@ -16,22 +16,22 @@ import models.MeshData;
 import models.TriangularMesh;
 
 /**
- * Meshes from Wavefront OBJ files, also zipped, for a program of one's own:
+ * Reads meshes from Wavefront OBJ files, also zipped, for your own program:
  *
  * <pre>{@code
  * TriangularMesh cow = ObjFile.read(java.nio.file.Path.of("cow.obj"), Color.PINK);
  * }</pre>
  *
- * <p>A mesh is smooth: it has the normals of its file, and where corners have none the averages of the facets around them.
- * What can be read all the same, such as a facet without area, is passed over silently; {@code UPNaTRay --check} reports it
- * for a scene file.
+ * <p>A mesh is smooth: it has the normals of its file, and where corners have none, averages of the facets around them.
+ * Harmless faults, such as a facet without area, are ignored silently; {@code UPNaTRay --check} reports them for a scene
+ * file.
  */
 public final class ObjFile {
 
   private ObjFile() {
   }
 
-  /** A file that holds no mesh. The message has a line for each error: file, line, column, and what is wrong. */
+  /** A file is not a valid mesh. The message has a line for each error: file, line, column, and what is wrong. */
   public static final class InvalidException extends UncheckedIOException {
     private static final long serialVersionUID = 1L;
 
@@ -80,8 +80,8 @@ public final class ObjFile {
   }
 
   /**
-   * Reads a smooth mesh in the colours and textures of its material files ({@code .mtl}). Where it names no material, or one
-   * that is not found, it is light grey.
+   * Reads a smooth mesh in the colours and textures of its material files ({@code .mtl}). Facets without a material, or
+   * with an unknown one, are light grey.
    *
    * @param file the file
    * @return the mesh

@@ -5,14 +5,14 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** What a mesh file says of materials: the files that hold them, and the names that its facets use. */
+/** The materials that a mesh file refers to: their files, and the names that its facets use. */
 final class ObjMaterials {
 
   /**
    * A name in a file.
    *
    * @param text the name
-   * @param line where it stands first
+   * @param line where it occurs first
    */
   record Name(String text, int line) {
   }
@@ -36,7 +36,7 @@ final class ObjMaterials {
     return used.size() - 1;
   }
 
-  /** What stands after each {@code mtllib}. */
+  /** The text after each {@code mtllib}. */
   List<Name> libraries() {
     return libraries;
   }

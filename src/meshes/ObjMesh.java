@@ -2,7 +2,7 @@ package meshes;
 
 import models.MeshData;
 
-/** A mesh as its file has it, before it is decided whether it is flat and what colours it. */
+/** A mesh as its file has it, before its shading and colours are chosen. */
 public final class ObjMesh {
 
   private final MeshData given;
@@ -75,7 +75,7 @@ public final class ObjMesh {
   }
 
   /**
-   * Where the first facet stands that has a corner without texture coordinates.
+   * The first facet that has a corner without texture coordinates.
    *
    * @return its line, from 1; 0 if there is none
    */

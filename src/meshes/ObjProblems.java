@@ -22,7 +22,7 @@ final class ObjProblems {
     this.file = file;
   }
 
-  /** Says in which file the problems that follow are. */
+  /** Sets the file of the following problems. */
   void setFile(final String name) {
     file = name;
   }
@@ -39,12 +39,12 @@ final class ObjProblems {
     return errors > 0;
   }
 
-  /** An error at a position of the line at hand. */
+  /** An error at a position of the current line. */
   void error(final ObjText text, final long position, final String key, final Object... parts) {
     error(text, text.line(), position, key, parts);
   }
 
-  /** An error of a line, at a position if it is the line at hand. */
+  /** An error of a line, at a position if it is the current line. */
   void error(final ObjText text, final int line, final long position, final String key, final Object... parts) {
     final int column = line == text.line() ? text.column(Math.max(position, text.lineStart())) : 1;
     add(new Problem(file, line, column, Problem.Severity.ERROR, message(key, parts)));
@@ -60,7 +60,7 @@ final class ObjProblems {
     add(new Problem(file, line, 1, Problem.Severity.WARNING, message(key, parts)));
   }
 
-  /** The file is not there. */
+  /** The file does not exist. */
   void missing(final Path path) {
     add(new Problem(file, 0, 0, Problem.Severity.ERROR,
         message("fileMissing") + SimilarFile.question(path, ".obj", ".zip")));
@@ -74,8 +74,8 @@ final class ObjProblems {
   /**
    * A character that only looks like a blank; of the warnings only the first is kept.
    *
-   * @param start what begins at the byte at hand
-   * @param at where in it the character is
+   * @param start the text from the current byte on
+   * @param at index of the character in it
    */
   void unusualBlank(final ObjText text, final String start, final int at, final boolean warning) {
     if (!warning || !blankReported) {

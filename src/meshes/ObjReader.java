@@ -14,28 +14,28 @@ import diagnostics.Problem;
 import diagnostics.UnusualBlank;
 
 /**
- * Reads a mesh from a Wavefront OBJ text file, or from a ZIP file that holds one.
+ * Reads a mesh from a Wavefront OBJ text file, or from a ZIP file that contains one.
  *
  * <p>Vertices ({@code v}), normals ({@code vn}), texture coordinates ({@code vt}), facets ({@code f}) and the names of
- * materials count; other statements are passed over line by line. All numbers are kept in double precision. A facet of more
- * than three corners is cut into triangles, see {@link PolygonTriangulator}. An index counts from 1, or, if negative, back
- * from the last of its kind, and must name what stands before it in the file. Triangles without area are left out.
+ * materials count; other statements are skipped. All numbers are in double precision. A facet of more than three corners
+ * is cut into triangles, see {@link PolygonTriangulator}. An index counts from 1, or, if negative, back from the last of
+ * its kind, and must name an element before it in the file. Triangles without area are left out.
  */
 public final class ObjReader {
 
-  /** After so many errors the rest of a file is not looked at. */
+  /** Number of errors after which the rest of a file is not read. */
   static final int MOST_ERRORS = 20;
 
   private static final Pattern STATEMENT = Pattern.compile(" *(v|vn|vt|f) ");
 
-  /** So many polygons that cross themselves are reported one by one. */
+  /** Number of self-intersecting polygons that are reported individually. */
   private static final int MOST_CROSSINGS = 20;
 
   /**
-   * What was read of a file.
+   * The result of reading a file.
    *
    * @param mesh the mesh; null if there is an error
-   * @param problems what is wrong with it, in the order of the file
+   * @param problems its problems, in the order of the file
    * @param large the first coordinate that no float holds, which is an error unless the mesh is placed elsewhere; null if
    *     there is none
    */
@@ -60,7 +60,7 @@ public final class ObjReader {
    * A reader of a file.
    *
    * @param file the file
-   * @param averaged whether normals will be asked for, so that the averages of the facets must be computed
+   * @param averaged whether averages of the facets' normals will be needed
    */
   public ObjReader(final Path file, final boolean averaged) {
     this.file = file;
@@ -223,7 +223,7 @@ public final class ObjReader {
     final double x = coordinate(start);
     final double y = Double.isNaN(x) ? x : coordinate(start);
     final double z = Double.isNaN(y) ? y : coordinate(start);
-    // A vertex at fault keeps its number, so that the facets after it are not at fault too.
+    // An invalid vertex keeps its number, so that later facets are not reported too.
     mesh.vertex(x, y, z);
   }
 
@@ -265,7 +265,7 @@ public final class ObjReader {
     }
   }
 
-  /** A statement of another name: one that is passed over, unless a character within it only looks like a blank. */
+  /** Another statement, which is skipped, unless a character in it only looks like a blank. */
   private void other(final byte first) throws IOException {
     if (first == 'l' || first == 'c' || first == 's' || first == 'p') {
       points += text.takeWord("p") ? 1 : 0;
@@ -275,7 +275,7 @@ public final class ObjReader {
     }
   }
 
-  /** Reports an unusual blank within or before the name of a statement that would count without it. */
+  /** Reports an unusual blank within or before the name of a statement that would be valid without it. */
   private void unusualBlank(final String start) throws IOException {
     final int at = UnusualBlank.indexIn(start);
     final Matcher statement = STATEMENT.matcher(UnusualBlank.replaced(start));

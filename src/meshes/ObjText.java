@@ -31,7 +31,7 @@ final class ObjText {
     return bytes.isAtEnd();
   }
 
-  /** Goes to the next word of the statement, over blanks and continued line ends; false if there is none. */
+  /** Advances to the next word of the statement, over blanks and continued line ends; false if there is none. */
   boolean toWord() throws IOException {
     while (true) {
       bytes.reserve();
@@ -66,7 +66,7 @@ final class ObjText {
     return isBlank(bytes.window[i]) && !bytes.isCut(i) || bytes.window[i] == '#' || continues(i);
   }
 
-  /** Whether the word that begins here is a given one; if so, goes behind it. */
+  /** Whether the word that begins here is a given one; if so, skips it. */
   boolean takeWord(final String word) {
     for (int i = 0; i < word.length(); i++) {
       if (bytes.window[bytes.at + i] != word.charAt(i)) {
@@ -89,7 +89,7 @@ final class ObjText {
     }
   }
 
-  /** Passes over the rest of a line, and over the lines that continue it if they may. */
+  /** Skips the rest of a line, and optionally the lines that continue it. */
   void skipLine(final boolean continued) throws IOException {
     while (!bytes.isAtEnd()) {
       bytes.reserve();
@@ -110,7 +110,7 @@ final class ObjText {
     }
   }
 
-  /** Passes over the end of a line: a line feed, a carriage return, or both in this order. */
+  /** Skips the end of a line: a line feed, a carriage return, or both in this order. */
   void endLine() throws IOException {
     if (bytes.isAtEnd()) {
       return;
@@ -124,7 +124,7 @@ final class ObjText {
     lineStart = bytes.position();
   }
 
-  /** The rest of the line without blanks about it, whatever it holds: a name. */
+  /** The rest of the line without surrounding blanks: a name of any characters. */
   String name() throws IOException {
     final ByteArrayOutputStream name = new ByteArrayOutputStream();
     while (!bytes.isAtEnd()) {
@@ -148,7 +148,7 @@ final class ObjText {
     return TextEncoding.text(found, 0, found.length).strip();
   }
 
-  /** The word that begins here, fit for a message. */
+  /** The word that begins here, quoted for a message. */
   String word() {
     return Messages.quote(rawWord());
   }
@@ -158,7 +158,7 @@ final class ObjText {
     return TextEncoding.text(bytes.window, bytes.at, wordEnd() - bytes.at);
   }
 
-  /** The line from here on, or as much of it as is to be looked at. */
+  /** The line from here on, up to a limit. */
   String rawLine() {
     int end = bytes.at;
     while (end < bytes.at + 2 * Messages.LONGEST_QUOTE && bytes.window[end] != '\n' && bytes.window[end] != '\r') {

@@ -9,12 +9,12 @@ final class PlanePolygon {
   private boolean convex;
 
   /**
-   * Projects corners on the plane of the polygon's vector area.
+   * Projects corners onto the plane of the polygon's vector area.
    *
    * @param coordinates x, y and z of the vertices
    * @param vertices for each corner the number of its vertex
    * @param size number of corners, at least 3
-   * @param rounding areas up to this part of the square of the largest extent count as 0
+   * @param rounding areas up to this fraction of the squared largest extent count as 0
    * @return false if the vector area is that small, so that there is no plane
    */
   boolean project(final double[] coordinates, final int[] vertices, final int size, final double rounding) {
@@ -44,7 +44,7 @@ final class PlanePolygon {
     return true;
   }
 
-  /** Whether all corners turn strictly to the left, and all together once around: then no corner lies in an ear. */
+  /** Whether all corners turn strictly to the left, once around in total: then no corner lies in an ear. */
   private boolean isConvex(final int size) {
     int ups = 0;
     for (int i = 0; i < size; i++) {

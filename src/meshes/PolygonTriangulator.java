@@ -1,25 +1,26 @@
 package meshes;
 
 /**
- * Cuts a polygon into triangles by its ears: an ear is a convex corner whose triangle with its two neighbours holds no other
- * corner, and a polygon that does not cross itself always has one (Meisters, "Polygons have ears", American Mathematical
- * Monthly 82, 1975). The search starts at the second corner and goes on with the corner after the last ear, so that a convex
- * polygon becomes the fan of its first corner.
+ * Cuts a polygon into triangles by its ears: an ear is a convex corner whose triangle with its two neighbours contains no
+ * other corner; a simple polygon always has one (Meisters, "Polygons have ears", American Mathematical Monthly 82, 1975).
+ * The search starts at the second corner and goes on with the corner after the last ear, so that a convex polygon becomes
+ * the fan of its first corner.
  *
- * <p>The polygon need not be flat: it is cut by its shadow on the plane of its vector area, which Newell's formula gives
- * (Tampieri, "Newell's method for computing the plane equation of a polygon", Graphics Gems III, 1992). A polygon that
- * crosses itself has no right cut and becomes the fan of its first corner. Not safe for use by several threads.
+ * <p>The polygon need not be planar: it is cut by its projection onto the plane of its vector area, given by Newell's
+ * formula (Tampieri, "Newell's method for computing the plane equation of a polygon", Graphics Gems III, 1992). A
+ * self-intersecting polygon has no triangulation and becomes the fan of its first corner. Not safe for use by several
+ * threads.
  */
 final class PolygonTriangulator {
 
-  /** Areas up to this part of the square of the polygon's extent are what rounding leaves of 0. */
+  /** Areas up to this fraction of the squared extent of the polygon count as 0. */
   private static final double ROUNDING = 1e-14;
 
-  /** From so many corners on, a grid finds those near an ear. */
+  /** Number of corners from which on a grid finds those near an ear. */
   private static final int MANY = 32;
 
   private double[] coordinates;
-  /** The corners that count, in the order of the facet, and their vertices; two neighbours at one place are one corner. */
+  /** The corners that count, in the order of the facet, and their vertices; two coincident neighbours are one corner. */
   private int[] corners = new int[16];
   private int[] vertices = new int[16];
   private int size;
@@ -37,7 +38,7 @@ final class PolygonTriangulator {
    * @param itsCoordinates x, y and z of the vertices
    * @param itsVertices for each corner the number of its vertex
    * @param number number of corners, at least 3
-   * @return false if the polygon crosses itself and became a fan
+   * @return false if the polygon intersects itself and became a fan
    */
   boolean cut(final double[] itsCoordinates, final int[] itsVertices, final int number) {
     coordinates = itsCoordinates;
@@ -53,7 +54,7 @@ final class PolygonTriangulator {
     return cut;
   }
 
-  /** Number of triangles of the polygon that was cut last; 0 if it has fewer than three corners at different places. */
+  /** Number of triangles of the last polygon; 0 if it has fewer than three distinct corners. */
   int triangles() {
     return end / 3;
   }

@@ -13,8 +13,8 @@ import diagnostics.UnicodeMark;
 
 /**
  * The encoding of a text file of meshes or materials: that of its byte-order mark; without one, UTF-16 or UTF-32 if zeros
- * stand where the first character of an English text has them. Everything else stays as it is: bytes, in which names are
- * UTF-8, or Latin-1 if they are not.
+ * are where the first character of an English text has them. Everything else is read as bytes, in which names are UTF-8,
+ * or Latin-1 if they are not valid UTF-8.
  */
 final class TextEncoding {
 
@@ -31,7 +31,7 @@ final class TextEncoding {
         : new Utf8Stream(new InputStreamReader(buffered, mark.charset()));
   }
 
-  /** A piece of a text: UTF-8 if it is, else Latin-1. */
+  /** A piece of a text: as UTF-8 if valid, else as Latin-1. */
   static String text(final byte[] bytes, final int from, final int length) {
     try {
       return StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes, from, length)).toString();

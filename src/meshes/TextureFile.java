@@ -17,8 +17,8 @@ import arguments.Messages;
 import materials.Texture;
 
 /**
- * Reads the files of textures: PNG, JPEG, GIF (its first frame) and BMP, which are known by their content, whatever they are
- * called.
+ * Reads the files of textures: PNG, JPEG, GIF (its first frame) and BMP, which are recognised by their content, whatever
+ * their names.
  */
 public final class TextureFile {
 
@@ -30,7 +30,7 @@ public final class TextureFile {
   private TextureFile() {
   }
 
-  /** A file is no texture; the message says why, in the language of the default locale. */
+  /** A file cannot be used as a texture; the message says why, in the language of the default locale. */
   public static final class UnusableException extends IOException {
     private static final long serialVersionUID = 1L;
 
@@ -44,7 +44,7 @@ public final class TextureFile {
    *
    * @param file the file
    * @return the texture
-   * @throws UnusableException if the file cannot be read, or is no image of these formats, or has no pixels or too many
+   * @throws UnusableException if the file cannot be read, is not an image of these formats, or has no pixels or too many
    */
   public static Texture read(final Path file) throws UnusableException {
     final String format = format(file);

@@ -14,21 +14,21 @@ import java.util.zip.ZipFile;
 import java.util.zip.ZipInputStream;
 
 /**
- * The mesh of a ZIP file: its first entry, or, if that is none, the first whose name ends in {@code .obj}. Folders and the
- * companions that macOS adds to each file do not count.
+ * The mesh of a ZIP file: its first entry, or, if that is not a mesh, the first whose name ends in {@code .obj}. Folders
+ * and the companion files that macOS adds do not count.
  *
  * @param name the name of the entry
  * @param stream its bytes
  */
 record ZippedMesh(String name, InputStream stream) {
 
-  /** Length of the mark with which a ZIP file begins. */
+  /** Length of the signature of a ZIP file. */
   static final int MARK = 4;
 
-  /** More than this, in bytes, is not unpacked: a file that hides as much is more likely a trap than a mesh. */
+  /** Limit of the unpacked size in bytes: a larger file is more likely a ZIP bomb than a mesh. */
   static final long LARGEST = 1L << 30;
 
-  /** So many bytes at the start of an entry of another name show whether it is a mesh. */
+  /** Number of bytes at the start of an entry of another name that show whether it is a mesh. */
   private static final int START = 1 << 16;
   private static final Pattern VERTEX = Pattern.compile("(?m)^\\s*v\\s+[-+.\\d]");
 
@@ -74,7 +74,7 @@ record ZippedMesh(String name, InputStream stream) {
     }
   }
 
-  /** The first entry that is called a mesh, by the directory at the end of the file: nothing before it is unpacked. */
+  /** The first entry named as a mesh, by the directory at the end of the file: nothing before it is unpacked. */
   private static ZippedMesh named(final Path file) throws IOException {
     final ZipFile zip;
     try {

@@ -19,8 +19,8 @@ import diagnostics.UnicodeMark;
 import view.Camera;
 
 /**
- * The numbers of a camera as they stand in a scene file. Writing them changes these nine numbers in the file and nothing
- * else: comments, blanks, line ends and encoding stay as they are.
+ * The numbers of a camera as a scene file has them. Writing them changes these nine numbers in the file and nothing else:
+ * comments, blanks, line ends and encoding are preserved.
  *
  * @param position the three numbers of {@code position}
  * @param lookAt the three numbers of {@code lookAt}

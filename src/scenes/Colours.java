@@ -5,10 +5,10 @@ import java.awt.Color;
 import arguments.Messages;
 
 /**
- * Colours of scene files: sRGB triples from 0 to 1 or from 0 to 255, with nothing to say which.
+ * Colours of scene files: sRGB triples from 0 to 1 or from 0 to 255, without any indication which.
  *
- * <p>If a number exceeds 1, all three are in the range up to 255. A reader that decides number by number sees another
- * colour in a triple with numbers on both sides of 1: there a warning is given.
+ * <p>If a number exceeds 1, all three are in the range up to 255. Readers that decide number by number see another colour
+ * in a triple with numbers on both sides of 1, so that causes a warning.
  */
 final class Colours {
 
@@ -43,7 +43,7 @@ final class Colours {
     return component > 0 && component <= 1;
   }
 
-  /** The colour of three numbers that are multiplied by a factor to reach from 0 to 255; larger ones count as 255. */
+  /** The colour of three numbers, scaled by a factor to 0 … 255; larger ones count as 255. */
   static Color colour(final float[] triple, final double factor) {
     return new Color(component(triple[0] * factor), component(triple[1] * factor), component(triple[2] * factor));
   }

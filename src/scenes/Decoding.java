@@ -11,8 +11,8 @@ import diagnostics.UnicodeMark;
 
 /**
  * The text of a scene file from its bytes: by the byte-order mark, or by the zeros of UTF-16 and UTF-32, else by the
- * encoding that its XML declaration names, else UTF-8. Bytes that are not UTF-8 are taken for Latin-1, so that an old
- * comment does not break a file.
+ * encoding that its XML declaration names, else UTF-8. A file that is not valid UTF-8 is decoded as Latin-1, so that an
+ * old comment does not make it unreadable.
  *
  * @param text the text, without byte-order mark
  * @param warning key of the message if the encoding had to be guessed, or null

@@ -5,10 +5,10 @@ import java.util.List;
 
 import diagnostics.UnusualBlank;
 
-/** An element of a scene file, with the places of what it holds, counted in characters from the start of the file. */
+/** An element of a scene file, with the places of its contents, counted in characters from the start of the file. */
 final class Element {
 
-  /** An attribute: its name, its value and the place of its name. */
+  /** An attribute: its name, its value, and the place of its name. */
   record Attribute(String name, String value, int offset) {
   }
 
@@ -81,7 +81,7 @@ final class Element {
     return i < text.length() ? textOffset(i) : offset;
   }
 
-  /** Adds a piece of text; a piece that is not as it stands in the file (an entity) breaks the run. */
+  /** Adds a piece of text; a piece that differs from the text of the file (an entity) ends the run. */
   void addText(final CharSequence piece, final int pieceOffset, final boolean verbatim) {
     final boolean first = blanks() == text.length();
     oneRun = verbatim && (first || oneRun && pieceOffset == textOffset + text.length());

@@ -10,16 +10,16 @@ import javax.vecmath.Vector3d;
 import diagnostics.UnusualBlank;
 
 /**
- * A placement in the precision of the file's decimal numbers, for meshes in coordinates so large that floats do not tell
- * their vertices apart.
+ * A placement in the precision of the file's decimal numbers, for meshes in coordinates so large that their vertices
+ * would coincide in floats.
  *
  * @param scale factors along the axes of the model
  * @param rotation the rotation that follows
- * @param shift the shift that follows
+ * @param shift the translation that follows
  */
 record ExactPlacement(Vector3d scale, Matrix3d rotation, Vector3d shift) {
 
-  /** The placement of an object in which nothing is wrong. */
+  /** The placement of an object without errors. */
   static ExactPlacement of(final Element object) {
     final Matrix3d rotation = aiming(object);
     final double degrees = numbers(object, "rotationAngle", 0)[0];
@@ -34,7 +34,7 @@ record ExactPlacement(Vector3d scale, Matrix3d rotation, Vector3d shift) {
         new Vector3d(numbers(object, "translation", 0, 0, 0)));
   }
 
-  /** The numbers of an element, or others if it is not there. */
+  /** The numbers of an element, or the defaults if it is missing. */
   private static double[] numbers(final Element object, final String name, final double... absent) {
     final Element value = object.find(name);
     if (value == null) {

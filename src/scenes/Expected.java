@@ -3,7 +3,7 @@ package scenes;
 import arguments.Messages;
 
 /**
- * What a value should have been; put into words only when it is needed, as most files are valid.
+ * What was expected of a value; converted to text only when needed, as most files are valid.
  *
  * @param key key of the message
  * @param range the numbers allowed; null if it is not a number
@@ -27,7 +27,7 @@ record Expected(String key, Range range) {
     return new Expected("expectedTriple", range);
   }
 
-  /** The words, for a value of a name. */
+  /** The text, for the value of a name. */
   String text(final String name) {
     if (range == null) {
       return Messages.text("scenes." + key, name);

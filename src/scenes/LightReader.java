@@ -14,7 +14,7 @@ import radiometry.SpectrumRGB;
 /** Reads the lights of a scene file. */
 final class LightReader {
 
-  /** How far from 1 the sum of the shares of a spectrum may be. */
+  /** How far the sum of the shares of a spectrum may be from 1. */
   static final double TOLERANCE = 1e-4;
 
   /** Half angles of cones. */

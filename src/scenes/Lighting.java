@@ -8,7 +8,7 @@ import lights.Light;
 import lights.LightGroup;
 
 /**
- * How the surfaces of a scene get their shade: the element {@code engine} of its file, and its lights.
+ * How the surfaces of a scene are shaded: the element {@code engine} of its file, and its lights.
  *
  * @param on whether lights and materials act
  * @param facing without illumination: whether surfaces are shaded by their angle to the ray; if not, they show their plain
@@ -26,7 +26,7 @@ public record Lighting(boolean on, boolean facing, LightGroup lights, int recurs
   public static final Lighting PLAIN = new Lighting(false, false, new LightGroup(), 0, 0);
 
   /**
-   * Checks and copies what is given.
+   * Checks and copies the arguments.
    *
    * @param on whether lights and materials act
    * @param facing whether surfaces are shaded without illumination

@@ -17,15 +17,16 @@ import com.ctc.wstx.stax.WstxInputFactory;
 import arguments.Messages;
 
 /**
- * Reads the markup of a scene file into a tree whose parts know their places.
+ * Reads the markup of a scene file into a tree of elements with their places.
  *
- * <p>Woodstox reads the XML: it gives the exact start and end of each tag, comment and text. Its factory is made directly,
- * as looking for one by the service loader costs time. A DOCTYPE is refused, so that there are no entities but the five of
- * XML, and nothing outside the file is ever read. Reading ends at the first fault; {@link SyntaxDiagnosis} says what it is.
+ * <p>Woodstox reads the XML: it gives the exact start and end of each tag, comment and text. Its factory is instantiated
+ * directly, because the service loader takes time. A DOCTYPE is refused, so that there are no entities but the five of
+ * XML, and nothing outside the file is ever read. Reading ends at the first fault, which {@link SyntaxDiagnosis}
+ * explains.
  */
 final class MarkupReader {
 
-  /** A comment: its text, without the marks about it, and its place. */
+  /** A comment: its text, without the delimiters, and its place. */
   record Comment(String text, int offset) {
   }
 
@@ -49,7 +50,7 @@ final class MarkupReader {
     this.problems = problems;
   }
 
-  /** The comments of the file, in its order; complete once it has been read. */
+  /** The comments, in the order of the file; complete once it has been read. */
   List<Comment> comments() {
     return comments;
   }
@@ -120,7 +121,7 @@ final class MarkupReader {
     open.push(element);
   }
 
-  /** Adds text as it stands in the file, where line ends keep their places, unless references stand for characters. */
+  /** Adds text as the file has it, with its line ends, unless it contains references. */
   private void characters(final XMLStreamReader2 reader, final int start, final int after) {
     if (open.isEmpty()) {
       return;

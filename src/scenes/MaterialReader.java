@@ -23,8 +23,8 @@ import materials.TransmissiveCookTorrance;
 import radiometry.ReflectanceRGB;
 
 /**
- * Reads the materials of a scene file. Children that a type does not use are accepted, but a wrong value in them is an error
- * all the same. Where illumination is on, a surface that is perhaps not meant to look as it will is worth a warning.
+ * Reads the materials of a scene file. Children that a type does not use are accepted, but an invalid value in them is an
+ * error all the same. With illumination, a surface that will probably look unintended causes a warning.
  */
 final class MaterialReader {
 
@@ -58,7 +58,7 @@ final class MaterialReader {
     return materials.get(id);
   }
 
-  /** Reads an element {@code brdf} or {@code btdf}; of two with one id the later one counts. */
+  /** Reads an element {@code brdf} or {@code btdf}; of two with the same id the later one counts. */
   void read(final Element element) {
     final boolean brdf = element.name().equals("brdf");
     final String id = values.attribute(element, "id");
@@ -104,7 +104,7 @@ final class MaterialReader {
     };
   }
 
-  /** Checks that a material reflects something, and not more than all. */
+  /** Checks that a material reflects something, and no more than it receives. */
   private void checkEnergy(final Element element, final float[] diffuse, final float[] conductive) {
     if (isBlack(diffuse) && isBlack(conductive)) {
       values.problems().error(element.offset(), "noReflectance", element.name());
@@ -164,7 +164,7 @@ final class MaterialReader {
     return "Ashikhmin-Shirley".equals(type) || "Ideal-Conductor".equals(type);
   }
 
-  /** A reflectance: black if it is missing or invalid; it is an error if it is needed and black. */
+  /** A reflectance: black if it is missing or invalid. It is an error if a required one is black. */
   private float[] reflectance(final Element material, final String name, final boolean needed) {
     final float[] triple = needed ? values.triple(material, name, Range.UNIT)
         : values.optionalTriple(material, name, Range.UNIT);

@@ -27,11 +27,11 @@ import models.TriangularMesh;
  */
 final class MeshFiles {
 
-  /** What a file is called that may have been meant where another is missing. */
+  /** Endings of files that may be suggested in place of a missing one. */
   private static final String[] MESHES = {".obj", ".zip"};
   private static final String[] IMAGES = {".png", ".jpg", ".jpeg", ".gif", ".bmp"};
 
-  /** A file with what was read of it. */
+  /** A file and its contents. */
   private final class MeshFile {
 
     private final Path path;
@@ -72,7 +72,7 @@ final class MeshFiles {
     }
   }
 
-  /** A mesh with normals or without. */
+  /** A mesh with or without normals. */
   private final class MeshModel implements Model {
 
     private final MeshFile file;
@@ -152,7 +152,7 @@ final class MeshFiles {
       this.data = data;
     }
 
-    /** The mesh of an appearance; null: that of the materials of its file. */
+    /** The mesh with an appearance; null for the materials of its file. */
     TriangularMesh of(final Appearance appearance, final MeshFile file) {
       TriangularMesh mesh = coloured.get(appearance);
       if (mesh == null) {
@@ -169,7 +169,7 @@ final class MeshFiles {
   private final Problems problems;
   private final Map<Path, MeshFile> meshes = new HashMap<>();
   private final Set<Path> materialFiles = new HashSet<>();
-  /** The files of which it has been said that some of their facets have no place in a texture. */
+  /** The files whose facets without texture coordinates have been reported. */
   private final Set<Path> bare = new HashSet<>();
 
   MeshFiles(final Path scene, final Problems problems) {
@@ -177,7 +177,7 @@ final class MeshFiles {
     this.problems = problems;
   }
 
-  /** The model of a mesh file; null, and reported, if there is no such file. */
+  /** The model of a mesh file; if there is no such file, that is reported, and the result is null. */
   Model find(final String name, final int offset, final boolean flat, final boolean promediated) {
     final Path path = existing(name, offset, "noFile");
     if (path == null) {
@@ -195,7 +195,10 @@ final class MeshFiles {
     return paths;
   }
 
-  /** The file of a name; null, and reported with all places where it was looked for, if there is none. */
+  /**
+   * The file of a name; if there is none, that is reported with all places where it was looked for, and the result is
+   * null.
+   */
   Path existing(final String name, final int offset, final String message) {
     try {
       final Set<Path> places = places(name);

@@ -10,19 +10,19 @@ import models.MeshData;
 import models.Object3D;
 
 /**
- * Where a mesh is placed, and whether floats are precise enough for that. A mesh in the coordinates of a map, which a
- * translation brings to the origin, is not rounded before: its vertices are kept about its centre, and the centre is placed
+ * Where a mesh is placed, and whether floats are precise enough for that. A mesh in map coordinates, which a translation
+ * moves to the origin, is not rounded before that: its vertices are kept relative to its centre, and the centre is placed
  * in double precision.
  */
 final class MeshPlacement {
 
-  /** Errors of the vertices up to this part of the size of the placed mesh are of no consequence. */
+  /** Errors of the vertices, relative to the size of the placed mesh, that do not matter. */
   private static final double TOLERANCE = 3e-7;
 
   /** Largest rounding of a float, relative to its value. */
   private static final double ROUNDING = 0x1p-24;
 
-  /** A mesh farther away than so many times its size shows steps in its vertices. */
+  /** Distance, relative to its size, from which on a mesh shows the rounding of its vertices. */
   private static final double FAR = 10_000;
 
   /** Sizes of meshes from 2 to the power of minus this up to its opposite are far from the limits of floats. */
@@ -111,7 +111,7 @@ final class MeshPlacement {
   }
 
   /**
-   * Whether a placement of rounded numbers takes rounded vertices to where they are to be, as far as floats can say that.
+   * Whether a placement in floats takes vertices in floats to the right places, up to the rounding of floats.
    */
   boolean isNear(final ExactPlacement exact, final ExactPlacement rounded) {
     if (!isModerate() || isFarAway(exact)) {
@@ -133,7 +133,7 @@ final class MeshPlacement {
     return Math.abs(magnitude) <= MODERATE && Double.isFinite(rounding);
   }
 
-  /** The translation that would bring the mesh to the origin, as a scene file has it. */
+  /** The translation that would move the mesh to the origin, in the notation of scene files. */
   String translationToOrigin(final ExactPlacement placement) {
     final Point3d centre = placement.applied(centre());
     final double extent = Reach.of(box(), placement).extent;
@@ -160,7 +160,7 @@ final class MeshPlacement {
     return isModerate() ? 1 : Math.scalb(1.0, magnitude);
   }
 
-  /** A mesh about its centre where a placement takes it. */
+  /** A mesh about its centre, placed. */
   Object3D applied(final ExactPlacement placement, final Object3D mesh) {
     final Vector3d scale = new Vector3d(placement.scale());
     scale.scale(unit());

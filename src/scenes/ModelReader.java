@@ -15,7 +15,7 @@ final class ModelReader {
   static final List<String> SUPPORTED = List.of("sphere", "box", "plane", "cylinder", "capsule", "truncone", "torus",
       "ellipsoid", "egg", "mesh");
 
-  /** A model as an object finds it: with its type, and without a shape if it is invalid or not supported. */
+  /** A model with its type; the shape is null if it is invalid or not supported. */
   record Entry(String type, Model model) {
   }
 
@@ -30,7 +30,7 @@ final class ModelReader {
     this.meshes = meshes;
   }
 
-  /** Reads a model and keeps it under its id, in place of an earlier one. */
+  /** Reads a model and stores it under its id, replacing an earlier one. */
   void read(final Element model) {
     final String id = values.attribute(model, "id");
     final String type = values.attribute(model, "type", types);

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A piece of the text of an element between blanks, with its place in the file.
+ * A token of the text of an element, with its place in the file.
  *
- * @param text the piece as it stands in the file
+ * @param text the token as the file has it
  * @param start offset of its first character
  */
 record NumberToken(String text, int start) {
@@ -70,7 +70,7 @@ record NumberToken(String text, int start) {
     return source.indexOf(mark, start) + mark.length();
   }
 
-  /** Whether this token and another number are the same float, and so differ at most in spelling. */
+  /** Whether this token and another number are the same float, so that they differ at most in spelling. */
   boolean hasValueOf(final String number) {
     return Values.isNumber(text) && Values.isNumber(number) && Float.parseFloat(text) == Float.parseFloat(number);
   }

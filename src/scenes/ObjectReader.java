@@ -60,7 +60,7 @@ final class ObjectReader {
     }
   }
 
-  /** The model of the id that an object names; null if there is none that can be shown. */
+  /** The model that an object names; null if there is none, or if it is invalid. */
   private Model model(final Element object, final String id) {
     final ModelReader.Entry entry = models.get(id);
     if (entry == null) {
@@ -94,7 +94,7 @@ final class ObjectReader {
     return plain;
   }
 
-  /** Without illumination the texture counts, else the colour, else the colour that stands for the material. */
+  /** Without illumination the texture counts, else the colour, else the colour of the material. */
   private Appearance unlitAppearance(final Element object) {
     final Material material = values.has(object, "materialId") ? material(object) : null;
     if (values.has(object, "textureFile") || values.has(object, "color")) {
@@ -110,7 +110,7 @@ final class ObjectReader {
     return null;
   }
 
-  /** The texture of an object, or else its colour; null if it has neither, or an invalid one. */
+  /** The texture of an object, or else its colour; null if it has neither, or if it is invalid. */
   private Appearance plain(final Element object) {
     final Element texture = values.optional(object, "textureFile"), color = values.optional(object, "color");
     final Color ofColor = color == null ? null : colours.of(color);

@@ -12,10 +12,10 @@ import primitives.Point3D;
 import primitives.Vector3D;
 
 /**
- * Where an object of a scene stands: its model is scaled, then turned, then moved.
+ * The placement of an object: its model is scaled, then rotated, then translated.
  *
- * <p>Both turns of the scene language, that of aiming and that about an axis, are one rotation here, so that one
- * transformation is enough.
+ * <p>Both rotations of the scene language, by aiming and about an axis, are combined here, so that one transformation is
+ * enough.
  */
 final class Placement {
 
@@ -55,12 +55,12 @@ final class Placement {
     return ONE.clone();
   }
 
-  /** The shift of an object that is not moved. */
+  /** The translation of an object that is not moved. */
   static float[] unmoved() {
     return ZERO.clone();
   }
 
-  /** Whether it keeps all lengths and mirrors nothing, so that a shape can be built where it is to be. */
+  /** Whether the placement is rigid, so that a shape can be constructed in place. */
   boolean isRigid() {
     return Arrays.equals(scale, ONE);
   }
@@ -79,7 +79,7 @@ final class Placement {
         (float) (m.m20 * x + m.m21 * y + m.m22 * z));
   }
 
-  /** An object placed by a transformation; the object itself if it is to stay as it is. */
+  /** An object placed by a transformation; the object itself if the placement is the identity. */
   Object3D applied(final Object3D object) {
     final Vector3f s = new Vector3f(scale);
     final Vector3f d = new Vector3f(shift);

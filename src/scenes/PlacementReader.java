@@ -4,7 +4,7 @@ import javax.vecmath.Vector3d;
 
 import arguments.Messages;
 
-/** Reads where an object of a scene stands: scale, aiming, rotation, translation, in this order of effect. */
+/** Reads the placement of an object: scale, aiming, rotation and translation, which take effect in this order. */
 final class PlacementReader {
 
   /**
@@ -55,7 +55,7 @@ final class PlacementReader {
     return Rotation.about(axis, degrees);
   }
 
-  /** The turn of the first main vector given and of the first auxiliary vector that goes with it. */
+  /** The rotation of the first main vector given and the first auxiliary vector that goes with it. */
   private Rotation aiming(final Element object) {
     for (int main = 0; main < 3; main++) {
       final Element value = values.optional(object, MAIN[main]);
@@ -85,7 +85,7 @@ final class PlacementReader {
     }
   }
 
-  /** The turn that takes the main axis along its vector, and the auxiliary axis as near to its own as it can be. */
+  /** The rotation that takes the main axis to its vector, and the auxiliary axis as near to its own vector as possible. */
   private Rotation aimed(final int main, final Element mainValue, final int auxiliary, final Element auxiliaryValue) {
     final Vector3d m = direction(mainValue);
     final Vector3d aux = direction(auxiliaryValue);
@@ -102,8 +102,8 @@ final class PlacementReader {
   }
 
   /**
-   * Where the three axes go: of them, the one that is neither main nor auxiliary is perpendicular to both vectors, which
-   * have unit length, and the auxiliary one follows from the others. Null if the vectors are parallel.
+   * The images of the three axes: the one that is neither main nor auxiliary is perpendicular to both vectors, which are
+   * unit vectors; the auxiliary one follows from the others. Null if the vectors are parallel.
    */
   static Vector3d[] frame(final int main, final Vector3d m, final int auxiliary, final Vector3d aux) {
     final boolean inOrder = (main + 1) % 3 == auxiliary;

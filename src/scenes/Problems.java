@@ -19,19 +19,19 @@ import diagnostics.Suggestion;
  */
 final class Problems {
 
-  /** Reporting stops here: nobody reads more, and in a file that is made of problems each would cost some time. */
+  /** Reporting stops here: nobody reads more, and in a file full of problems each one would cost time. */
   static final int MOST = 1000;
 
-  /** How many warnings of one kind are given. */
+  /** How many warnings of one kind are reported. */
   static final int LIKE_WARNINGS = 10;
 
-  /** Kinds of warnings whose first part is a piece of the file, and does not make another kind. */
+  /** Kinds of warnings whose first part quotes the file and does not distinguish kinds. */
   private static final Set<String> OF_ONE_KIND = Set.of("strayText", "backslash");
 
   private record Placed(int offset, Problem problem) {
   }
 
-  /** Warnings of one kind: their number, and the first that was not given. */
+  /** Warnings of one kind: their number, and the first that was not reported. */
   private static final class Kind {
     private int count;
     private int offset;
@@ -82,7 +82,7 @@ final class Problems {
     }
   }
 
-  /** Adds a problem, perhaps one of another file, that is to be reported at a place of this file. */
+  /** Adds a problem, possibly of another file, to be reported at a place of this file. */
   void add(final int offset, final Problem problem) {
     errors += problem.isError() ? 1 : 0;
     if (isFull()) {

@@ -1,7 +1,7 @@
 package scenes;
 
 /**
- * The numbers that a value may be.
+ * The range of a value.
  *
  * @param low least number
  * @param lowAllowed whether the least number is one of them
@@ -31,7 +31,7 @@ record Range(double low, boolean lowAllowed, double high, boolean highAllowed) {
     return (lowAllowed ? x >= low : x > low) && (highAllowed ? x <= high : x < high);
   }
 
-  /** Whether it is bounded at all; the bounds of the type of the number do not count. */
+  /** Whether the range is bounded; the bounds of the number's type do not count. */
   boolean hasEnd() {
     return hasLowEnd() || hasHighEnd();
   }
@@ -44,7 +44,7 @@ record Range(double low, boolean lowAllowed, double high, boolean highAllowed) {
     return high < Double.POSITIVE_INFINITY;
   }
 
-  /** The range of a name as an inequality, {@code 0 < fov <= 180}. */
+  /** The range as an inequality of a name, {@code 0 < fov <= 180}. */
   String about(final String name) {
     if (!hasHighEnd()) {
       return name + (lowAllowed ? " >= " : " > ") + number(low);
@@ -53,7 +53,7 @@ record Range(double low, boolean lowAllowed, double high, boolean highAllowed) {
         + (highAllowed ? " <= " : " < ") + number(high);
   }
 
-  /** A number of this range, to show how numbers are written. */
+  /** A number of this range, as an example of how numbers are written. */
   String example() {
     return contains(2.5) ? "2.5" : "0.5";
   }

@@ -9,7 +9,8 @@ import diagnostics.Problem;
  * The result of reading a scene file.
  *
  * @param scene the scene; empty if there is an error
- * @param problems errors and warnings, in the order of the file; those of a mesh stand where the scene names it
+ * @param problems errors and warnings, in the order of the file; those of a mesh are at the place where the scene names
+ *     it
  */
 public record ReadResult(Optional<SceneFile> scene, List<Problem> problems) {
 

@@ -26,7 +26,7 @@ final class Rotation {
     return identity;
   }
 
-  /** The turn by an angle in degrees, counter-clockwise seen from the tip of the axis, of any length but 0. */
+  /** The rotation by an angle in degrees, counter-clockwise seen from the tip of the axis, which has any length but 0. */
   static Rotation about(final float[] axis, final float degrees) {
     final double least = Math.IEEEremainder(degrees, 360);
     if (least == 0) {
@@ -39,12 +39,12 @@ final class Rotation {
     return new Rotation(matrix, unit, (float) least);
   }
 
-  /** The turn that takes the axes X, Y and Z to three orthonormal vectors of a right-handed frame. */
+  /** The rotation that takes the axes X, Y and Z to three orthonormal vectors of a right-handed frame. */
   static Rotation to(final Vector3d i, final Vector3d j, final Vector3d k) {
     return of(new Matrix3d(i.x, j.x, k.x, i.y, j.y, k.y, i.z, j.z, k.z));
   }
 
-  /** This turn after another. */
+  /** This rotation after another. */
   Rotation after(final Rotation first) {
     if (first == NONE || this == NONE) {
       return this == NONE ? first : this;

@@ -87,7 +87,7 @@ final class SceneBuilder {
     return values.required(image, name, Expected.SECTION);
   }
 
-  /** Blocks are a matter of presentation: their sizes are checked, but the renderer chooses its own. */
+  /** Blocks only affect presentation: their sizes are checked, but the renderer chooses its own. */
   private void rayTracer(final Element rayTracer) {
     if (rayTracer != null) {
       block(rayTracer, "wblock");
@@ -138,7 +138,7 @@ final class SceneBuilder {
     return group;
   }
 
-  /** The lights; without illumination it is said once that neither they nor materials have an effect. */
+  /** The lights; without illumination one warning says that neither they nor materials have an effect. */
   private LightGroup lights(final boolean illumination) {
     final LightReader reader = new LightReader(values, grammar.types("light"));
     final LightGroup group = new LightGroup();

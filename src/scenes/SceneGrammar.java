@@ -12,14 +12,14 @@ import arguments.Messages;
 import diagnostics.UnusualBlank;
 
 /**
- * The names of the scene language, and the warnings about those that are not of it.
+ * The names of the scene language, and the warnings about names that do not belong to it.
  *
- * <p>An element whose meaning depends on its {@code type} has a row for each. What stands in a row may stand at any
- * depth below the section: an unknown element in between is reported, and its contents count all the same.
+ * <p>An element whose meaning depends on its {@code type} has a row for each. The elements of a row may be at any depth
+ * below the section: an unknown element in between is reported, and its contents count all the same.
  */
 final class SceneGrammar {
 
-  /** A section, after a blank its type if it matters, then the elements that it may hold. */
+  /** A section, its type if that matters, and the elements that it may contain. */
   private static final String[] ROWS = {
     "image: raster rayTracer engine camera projection lights materials models scene",
     "raster: W H backgroundColor",
@@ -54,7 +54,7 @@ final class SceneGrammar {
         + " iVector jVector kVector iauxVector jauxVector kauxVector",
   };
 
-  /** What an element may have as attributes. */
+  /** The attributes that an element may have. */
   private static final Map<String, List<String>> ATTRIBUTES = Map.of("image", List.of("name"),
       "projection", List.of("type"), "light", List.of("type"), "brdf", List.of("id", "type"),
       "btdf", List.of("id", "type"), "model", List.of("id", "type"));
@@ -65,7 +65,7 @@ final class SceneGrammar {
   private final Problems problems;
   private final Map<String, Set<String>> children = new LinkedHashMap<>();
 
-  /** What an element may hold, whatever its type. */
+  /** The elements that an element may contain, whatever its type. */
   private final Map<String, Set<String>> ofAnyType = new HashMap<>();
 
   SceneGrammar(final Problems problems) {
@@ -204,7 +204,7 @@ final class SceneGrammar {
     return ofAnyType.getOrDefault(name, Set.of());
   }
 
-  /** The element of the language in which a name belongs; null if the language does not have it. */
+  /** The element in which a name belongs; null if the language does not have the name. */
   private String home(final String name) {
     for (final Map.Entry<String, Set<String>> row : children.entrySet()) {
       if (row.getValue().contains(name)) {

@@ -16,12 +16,13 @@ import diagnostics.Problem;
 import diagnostics.SimilarFile;
 
 /**
- * Reads scene files. All problems of a file and of its meshes are found in one run, values that describe nothing included,
- * so that what is read can be rendered; only a file that is not well-formed XML is read up to its first fault.
+ * Reads scene files. All problems of a file and of its meshes are found in one run, including values out of range, so
+ * that a scene without errors can be rendered. Only a file that is not well-formed XML is read no farther than its first
+ * fault.
  *
- * <p>Where readers of the language differ, this one decides so: values are found at any depth below their section; of
- * repeated values the first counts, of repeated ids the last; names and numbers may have blanks around them; aiming takes
- * the model's axes along the vectors given.
+ * <p>Where readers of the language differ, this one does as follows: values are found at any depth below their section;
+ * of repeated values the first counts, of repeated ids the last; names and numbers may have blanks around them; aiming
+ * takes the model's axes to the vectors given.
  */
 public final class SceneReader {
 
@@ -68,7 +69,7 @@ public final class SceneReader {
     }
   }
 
-  /** The bytes of a file, at most one more than are allowed: some files, such as devices, never end. */
+  /** The bytes of a file, at most one more than the limit: some files, such as devices, never end. */
   private static byte[] bytes(final Path file) throws IOException {
     try (InputStream in = Files.newInputStream(file)) {
       return in.readNBytes((int) LARGEST + 1);

@@ -20,7 +20,7 @@ final class Shapes {
   private Shapes() {
   }
 
-  /** A segment of the model from A to B, where a placement takes it. */
+  /** A segment of the model from A to B, placed. */
   private record Segment(Point3D middle, Vector3D direction, float length) {
 
     /** The segment of a placement; its direction is null if it has no length. */
@@ -46,7 +46,7 @@ final class Shapes {
       return null;
     }
 
-    /** A texture turns with the sphere, which the position of its centre alone does not determine. */
+    /** A texture rotates with the sphere, so that the centre does not determine the placement. */
     @Override
     public Object3D placed(final Placement placement, final Appearance appearance) {
       return appearance.texture() == null ? Model.super.placed(placement, appearance)

@@ -2,14 +2,14 @@ package scenes;
 
 import java.util.Arrays;
 
-/** The text of a file, which knows the line and the column of each of its characters. */
+/** The text of a file, with the line and column of each of its characters. */
 final class SourceText {
 
   private final String file;
   private final String text;
   private final int[] lineStarts;
 
-  /** The place whose column was asked for last: in a file of one long line, the next one is counted from there. */
+  /** The last place whose column was computed: in a file of one long line, the next is counted from there. */
   private int knownOffset;
   private int knownColumn = 1;
 

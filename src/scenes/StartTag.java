@@ -3,7 +3,7 @@ package scenes;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** The text of a start tag: where its attributes stand and, if it is not well-formed, what is wrong with it. */
+/** The text of a start tag: the places of its attributes and, if it is not well-formed, its first fault. */
 final class StartTag {
 
   private final String text;

@@ -9,9 +9,9 @@ import arguments.Messages;
 import diagnostics.UnusualBlank;
 
 /**
- * Says what is wrong with a file that is not well-formed XML. Woodstox finds the first fault; what was being read is seen
- * from the text after the last part that was sound. Faults of frequent kinds have sentences of their own, in both
- * languages, and stand where an author would look for them; of others the place is given as Woodstox reports it.
+ * Explains what is wrong with a file that is not well-formed XML. Woodstox finds the first fault; the text after the last
+ * well-formed part shows what was being read. Frequent kinds of faults have messages of their own, in both languages, at
+ * the place where an author would look for them; for others the place is that which Woodstox reports.
  */
 final class SyntaxDiagnosis {
 
@@ -37,7 +37,7 @@ final class SyntaxDiagnosis {
     this.root = root;
   }
 
-  /** The fault that Woodstox found after a place up to which it reported no fault. */
+  /** The fault that Woodstox found somewhere after a place. */
   XmlSyntaxException of(final int sound, final XMLStreamException fault) {
     final int from = open.isEmpty() ? afterBlanks(sound) : sound;
     final int at = place(from, fault.getLocation());
@@ -73,7 +73,7 @@ final class SyntaxDiagnosis {
     return Math.min(Math.max(from, offset), text.length());
   }
 
-  /** The first character of a range that must not occur in XML; -1 if there is none. */
+  /** The first illegal character of XML in a range; -1 if there is none. */
   private int illegalCharacter(final int from, final int to) {
     for (int i = from; i < Math.min(to, text.length()); i++) {
       final char c = text.charAt(i);
@@ -166,7 +166,7 @@ final class SyntaxDiagnosis {
         open.peek().name());
   }
 
-  /** Text where only comments may stand; a file without any markup is called what it is. */
+  /** Text where only comments may be; a file without any markup is reported as such. */
   private XmlSyntaxException outside(final int from) {
     final int mark = text.indexOf('<', from + 1);
     final String stray = Messages.quote(text.substring(from, mark < 0 ? text.length() : mark));
@@ -179,7 +179,7 @@ final class SyntaxDiagnosis {
     return new XmlSyntaxException(0, "noElement", Messages.quote(text));
   }
 
-  /** The last reference that begins in a range, if it is a wrong one by what follows; null if there is none. */
+  /** The last reference that begins in a range, if it is invalid; else null. */
   private XmlSyntaxException ofReference(final int from, final int to) {
     final int start = text.lastIndexOf('&', to);
     if (start < from) {
@@ -198,7 +198,7 @@ final class SyntaxDiagnosis {
         Math.min(from + 12, text.length()))));
   }
 
-  /** The character at a place, fit for a message: one that is not of ASCII is named, as it might not be seen. */
+  /** The character at a place, for a message: one that is not ASCII is named, as it might be invisible. */
   static String character(final String text, final int at) {
     final int c = at < text.length() ? text.codePointAt(at) : ' ';
     return Messages.quote(Character.toString(c)) + (c > '~' ? " (" + UnusualBlank.name(c) + ")" : "");

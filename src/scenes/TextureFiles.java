@@ -14,7 +14,7 @@ final class TextureFiles {
 
   private final MeshFiles files;
   private final Problems problems;
-  /** What a file holds; null for one that cannot be used. */
+  /** The texture of each file; null for one that cannot be used. */
   private final Map<Path, Texture> textures = new HashMap<>();
 
   TextureFiles(final MeshFiles files, final Problems problems) {

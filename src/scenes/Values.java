@@ -7,19 +7,19 @@ import arguments.Messages;
 import diagnostics.UnusualBlank;
 
 /**
- * The values of the elements of a scene file. Each method looks for a value at any depth below an element, reports
- * what is wrong with it, and returns it, or what stands for a missing or invalid value: NaN, {@link #NONE}, null.
+ * The values of the elements of a scene file. Each method looks for a value at any depth below an element, reports its
+ * problems, and returns it; for a missing or invalid value it returns NaN, {@link #NONE} or null.
  */
 final class Values {
 
   /** Stands for a missing or invalid whole number. */
   static final int NONE = Integer.MIN_VALUE;
 
-  /** An element whose name the language misspells, and its spelling in the dictionary. */
+  /** An element whose name the language misspells, and its correct spelling. */
   static final String AS_SPELT = "circunferenceRadius";
   static final String WELL_SPELT = "circumferenceRadius";
 
-  /** One of the numbers of a text, with its place in the file. */
+  /** A number of a text, with its place in the file. */
   private record Token(String text, int offset) {
   }
 
@@ -58,7 +58,7 @@ final class Values {
     return first == null && name.equals(AS_SPELT) ? element.find(WELL_SPELT) : first;
   }
 
-  /** The first element of a name below another; if there is none, that is reported, with what was expected. */
+  /** The first element of a name below another; if there is none, that is reported with what was expected. */
   Element required(final Element element, final String name, final Expected expected) {
     final Element found = optional(element, name);
     if (found == null) {
@@ -73,7 +73,7 @@ final class Values {
         line == 0 ? "" : " " + Messages.text("scenes.commentedOut", name, line));
   }
 
-  /** Line of an element that stands in a comment within another; 0 if there is none. */
+  /** Line of an element that is commented out within another; 0 if there is none. */
   private int commentedOut(final Element element, final String name) {
     if (problems.isFull()) {
       return 0;
@@ -143,7 +143,7 @@ final class Values {
     }
   }
 
-  /** A number that a text was rounded to, but neither infinite nor 0 if the text is not. */
+  /** A text rounded to a number, but neither to infinity nor, unless it is 0, to 0. */
   private static float held(final String text, final float number) {
     if (Float.isInfinite(number)) {
       return Math.copySign(Float.MAX_VALUE, number);
@@ -151,7 +151,7 @@ final class Values {
     return number == 0 && text.split("[eE]")[0].matches(".*[1-9].*") ? Math.copySign(Float.MIN_VALUE, number) : number;
   }
 
-  /** Whether a text is a decimal number: a sign, digits, a point, an exponent, and nothing else of Java's floats. */
+  /** Whether a text is a decimal number: a sign, digits, a point, an exponent, and nothing else that Java accepts. */
   static boolean isNumber(final String text) {
     int i = afterSign(text, 0);
     final int whole = digits(text, i);
@@ -285,7 +285,7 @@ final class Values {
     return found == null ? null : name(found);
   }
 
-  /** The text of a number or truth value; what only looks like a blank counts as one, with a warning. */
+  /** The text of a number or a truth value; a character that only looks like a blank counts as one, with a warning. */
   private String text(final Element value) {
     final String text = value.text();
     final int odd = UnusualBlank.indexIn(text);

@@ -19,7 +19,7 @@ final class ViewReader {
   /** Full angles of the fish-eye. */
   private static final Range FISH_EYE = new Range(0, false, 180, true);
 
-  /** An aspect further from that of the raster than this share is worth a warning. */
+  /** An aspect that differs more than this from that of the raster, relatively, causes a warning. */
   private static final double NOTICEABLE = 0.01;
 
   private final Values values;
@@ -54,7 +54,7 @@ final class ViewReader {
     }
   }
 
-  /** The projection for a raster, whose sizes are {@link Values#NONE} if invalid; null if the projection is. */
+  /** The projection for a raster, whose sizes are {@link Values#NONE} if invalid; null if the projection is invalid. */
   Projection projection(final Element projection, final int W, final int H) {
     final String type = values.attribute(projection, "type", types);
     try {
@@ -84,7 +84,7 @@ final class ViewReader {
     }
   }
 
-  /** The fish-eye of an angle; its window is square, so that a raster that is not is worth a warning. */
+  /** The fish-eye of an angle; its window is square, so that a raster that is not causes a warning. */
   private Projection fishEye(final Element projection, final float fov, final int W, final int H) {
     if (W > 0 && H > 0 && Math.abs((double) H / W - 1) > NOTICEABLE) {
       values.problems().warning(projection.offset(), "aspectAngular", W + " x " + H);
@@ -92,7 +92,7 @@ final class ViewReader {
     return new FishEye(fov);
   }
 
-  /** Width by height of the window, 1 unless given; a picture that will be squeezed is worth a warning. */
+  /** Width divided by height of the window, 1 unless given; a picture that will be squeezed causes a warning. */
   private float aspect(final Element projection, final int W, final int H) {
     final float aspect = values.number(projection, "aspect", Range.POSITIVE, 1);
     if (W > 0 && H > 0 && Math.abs((double) aspect * H / W - 1) > NOTICEABLE) {

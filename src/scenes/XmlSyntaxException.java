@@ -2,7 +2,7 @@ package scenes;
 
 import arguments.Messages;
 
-/** Ends the reading of a file that is not well-formed XML: what follows cannot be interpreted. */
+/** A file is not well-formed XML: what follows cannot be interpreted. */
 final class XmlSyntaxException extends Exception {
 
   private static final long serialVersionUID = 1L;

@@ -16,8 +16,8 @@ import scenes.SceneFile;
 import scenes.SceneReader;
 
 /**
- * The scenes of a command line, one after the other. A fault in one does not stop the others; but if the picture of any of
- * them must not be written to its target, none is rendered.
+ * Renders the scenes of a command line, one after the other. A fault in one does not stop the others; but if the picture
+ * of any of them must not be written to its target, none is rendered.
  */
 final class Batch {
 
@@ -25,7 +25,7 @@ final class Batch {
   private static final int REFUSED = 2;
   private static final int INTERRUPTED = 130;
 
-  /** In place of the number of a light: the picture of all. */
+  /** In place of the number of a light: all lights. */
   private static final int ALL = -1;
 
   private final Options options;
@@ -77,8 +77,8 @@ final class Batch {
   }
 
   /**
-   * The scenes and, if there are several and a target exists, the files of their meshes: one that a later scene needs must
-   * not be replaced by the picture of an earlier one. Those of a single scene are known in time when it is read.
+   * The scenes and, if there are several and a target exists, the files of their meshes: one that a later scene needs
+   * must not be replaced by the picture of an earlier one. Those of a single scene are known in time, when it is read.
    */
   private static InputFiles inputs(final Set<Path> scenes, final Set<Path> targets) {
     final Set<Path> inputs = new HashSet<>(scenes);
@@ -124,7 +124,7 @@ final class Batch {
     return AT_FAULT;
   }
 
-  /** Counts the problems of a scene; a picture that no array can hold is one as well. */
+  /** Counts the problems of a scene; a picture too large for an array is one as well. */
   private boolean isSound(final Path file, final ReadResult reading) {
     long errors = reading.problems().stream().filter(Problem::isError).count();
     final long warnings = reading.problems().size() - errors;
@@ -141,7 +141,7 @@ final class Batch {
     return errors == 0;
   }
 
-  /** Renders what is asked for; where that is the light, a picture of each light follows. */
+  /** Renders the pass asked for; for the light, a picture of each light follows. */
   private void render(final Path file, final SceneFile scene, final Path target) throws SaveException, UsageException {
     final int lights = options.view() == RenderPass.LIGHT ? scene.lights().getLights().size() : 0;
     final Set<Path> inputs = new HashSet<>(scene.meshes());
@@ -175,7 +175,7 @@ final class Batch {
   }
 
   /**
-   * The job of rendering a scene; the message for an image that cannot be held gives its size in memory.
+   * The job of rendering a scene; the message for an image that does not fit in memory gives its size.
    *
    * @param light number of the light whose picture it is, or ALL
    */

@@ -9,15 +9,15 @@ import java.text.Normalizer;
 import java.util.Locale;
 
 /**
- * Which file a name leads to, through symbolic links and whatever its spelling: two names lead to one file exactly if their
- * identities are equal. The file need not exist.
+ * The file that a name leads to, through symbolic links and whatever its spelling: two names lead to the same file if and
+ * only if their identities are equal. The file need not exist.
  */
 record FileIdentity(Object key) {
 
   /** More links in a row than any file system follows. */
   private static final int MOST_LINKS = 40;
 
-  /** Written out, as hashCode is: those that a record is given take 50 ms when first called. */
+  /** Written out, as is hashCode: the generated ones of a record take 50 ms when first called. */
   @Override
   public boolean equals(final Object other) {
     return other instanceof FileIdentity identity && key.equals(identity.key);
@@ -71,7 +71,7 @@ record FileIdentity(Object key) {
     return ignoresCase(real) ? real.resolve(folded(rest.toString())) : real.resolve(rest);
   }
 
-  /** Whether a folder can be entered under its own name in other case, as on Windows and on macOS. */
+  /** Whether a folder is found under its name in other case, as on Windows and macOS. */
   private static boolean ignoresCase(final Path folder) throws IOException {
     final String name = folder.toString();
     final Path upper = folder.getFileSystem().getPath(name.toUpperCase(Locale.ROOT));

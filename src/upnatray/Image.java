@@ -19,7 +19,7 @@ import tracer.RayGenerator;
 import view.Camera;
 
 /**
- * An image in sRGB with transparency, that can be synthesised from a scene seen by a camera.
+ * An image in sRGB with transparency that can be synthesised from a scene seen by a camera.
  *
  * <p>Row 0 of the assignment's pixels is the bottom one: pixel (m, n) of the rays is {@code getRGB(m, H - 1 - n)}.
  */
@@ -34,7 +34,7 @@ public class Image extends BufferedImage {
    *
    * @param W width in pixels, at least 1
    * @param H height in pixels, at least 1
-   * @param background colour of the pixels whose ray meets nothing
+   * @param background colour of the pixels whose ray hits nothing
    * @throws IllegalArgumentException if there is no pixel, if there are more than an array can hold, or if the background is
    *     null
    */
@@ -44,7 +44,7 @@ public class Image extends BufferedImage {
     Arrays.fill(pixels(), this.background);
   }
 
-  /** The height of an image, if an array can hold so many pixels. */
+  /** The height of an image, checked: an array has to hold all pixels. */
   static int height(final int W, final int H) {
     if ((long) W * positive("H", H) > Integer.MAX_VALUE - 8) {
       throw wrong("imageSize", W, H, Integer.MAX_VALUE - 8);
@@ -66,7 +66,7 @@ public class Image extends BufferedImage {
   }
 
   /**
-   * Computes the pixels as {@link #synthesis(Group3D, Camera)} does, in a way of one's own.
+   * Computes the pixels as {@link #synthesis(Group3D, Camera)} does, with settings.
    *
    * @param scene the scene, which must not change meanwhile
    * @param camera the camera
@@ -105,7 +105,7 @@ public class Image extends BufferedImage {
         rendering.colours(pixels(), background), threads);
   }
 
-  /** Computes the pixels by the given rays, of which each pixel takes a square of so many by so many. */
+  /** Computes the pixels by the given rays, a square of them for each pixel. */
   boolean synthesis(final Group3D scene, final RayGenerator rays, final int samples, final RenderSettings rendering) {
     return samples == 1 ? rendering.render(scene, rays, rendering.colours(pixels(), background), Thread::new)
         : new Supersampling(scene, rays, samples, rendering).render(pixels(), background, Thread::new);

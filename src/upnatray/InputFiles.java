@@ -10,14 +10,14 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 
-/** The files that pictures are made of, whatever names lead to them. */
+/** The input files of pictures, whatever names lead to them. */
 final class InputFiles {
 
   private final Set<FileIdentity> identities = new HashSet<>();
-  /** Those of file systems that give files no key, as on Windows: only the system itself can compare them. */
+  /** Files on file systems without file keys, as on Windows: only the system itself can compare them. */
   private final List<Path> withoutKey = new ArrayList<>();
 
-  /** Some files; a name that leads nowhere counts for none. */
+  /** A set of files; names that lead nowhere are ignored. */
   InputFiles(final Collection<Path> files) {
     for (final Path file : files) {
       try {

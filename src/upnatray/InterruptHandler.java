@@ -5,12 +5,12 @@ import java.nio.file.Path;
 import arguments.Messages;
 
 /**
- * What happens when the program is interrupted (Ctrl-C): the rendering stops, and what is done of its picture is kept
+ * Handles an interruption of the program (Ctrl-C): the rendering stops, and the finished part of its picture is saved
  * under another name. The virtual machine waits for this, however busy the other threads are.
  */
 final class InterruptHandler extends Thread {
 
-  /** How long the rendering may take to stop by itself; then the picture is taken as it is. */
+  /** Grace period for the rendering to stop by itself; then the picture is taken as it is. */
   private static final long PATIENCE_MILLISECONDS = 500;
 
   private volatile boolean requested;
@@ -24,7 +24,7 @@ final class InterruptHandler extends Thread {
     Runtime.getRuntime().addShutdownHook(this);
   }
 
-  /** Forgets about it all; of no effect if the end has begun. */
+  /** Unregisters the handler; of no effect if the program is ending already. */
   void uninstall() {
     try {
       Runtime.getRuntime().removeShutdownHook(this);
@@ -75,7 +75,7 @@ final class InterruptHandler extends Thread {
     }
   }
 
-  /** The rendering that was going on, once it has stopped or enough time has gone; null if there was none. */
+  /** The rendering in progress, once it has stopped or the grace period is over; null if there was none. */
   private synchronized PictureProgress stopped() {
     final PictureProgress stopped = current;
     if (stopped != null) {

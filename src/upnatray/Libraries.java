@@ -9,7 +9,7 @@ import java.util.jar.Attributes;
 import java.util.jar.JarFile;
 import java.util.jar.Manifest;
 
-/** The jars that the manifest of the program's own jar names; they lie where they were when it was built, relative to it. */
+/** The jars that the manifest of the program's own jar names, by paths relative to it. */
 final class Libraries {
 
   private Libraries() {

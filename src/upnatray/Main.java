@@ -15,7 +15,7 @@ import arguments.Messages;
  */
 public final class Main {
 
-  /** What is rendered if nothing is asked for. */
+  /** The scene that is rendered by default. */
   private static final Path DEFAULT_SCENE = Path.of("scenes", "shapes.xml");
 
   private static final int INCOMPLETE = 1;
@@ -25,7 +25,7 @@ public final class Main {
   }
 
   /**
-   * Does what a command line asks for, and ends the virtual machine with a status if something is wrong.
+   * Executes a command line, and exits with a status if something is wrong.
    *
    * @param args the arguments
    */
@@ -36,7 +36,7 @@ public final class Main {
     }
   }
 
-  /** Does what a command line asks for and returns the exit status. */
+  /** Executes a command line and returns the exit status. */
   static int run(final String... args) {
     try {
       final Options options = Options.of(args);
@@ -69,7 +69,10 @@ public final class Main {
     return options.help() || options.version();
   }
 
-  /** Opens a window if there is a display. What it needs is checked before: its threads would be the first to miss it. */
+  /**
+   * Opens a window if there is a display. Its libraries are checked before, as otherwise its threads would be the first
+   * to miss them.
+   */
   private static boolean isShown(final Options options, final Path scene) throws UsageException {
     final Optional<Path> missing = Libraries.missing();
     if (missing.isPresent()) {

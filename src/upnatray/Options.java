@@ -209,7 +209,7 @@ final class Options {
     }
   }
 
-  /** The file to which the picture of a scene goes. A root has no name; that it is not a scene is reported later. */
+  /** The file to which the picture of a scene goes. A root folder has no name; that it is not a scene is reported later. */
   Path target(final Path scene) throws UsageException {
     final String file = Objects.toString(scene.getFileName(), "");
     final String name = (isScene(file) ? file.substring(0, file.length() - 4) : file) + ".png";
@@ -246,7 +246,7 @@ final class Options {
         : new Resolution(size[0], size[1], samples, rows[0] - 1, rows[1] - rows[0] + 1);
   }
 
-  /** Whether what is asked for is made for files only. */
+  /** Whether the options are for files only. */
   private boolean isForFiles() {
     return samples > 1 || rows != null;
   }
@@ -255,12 +255,12 @@ final class Options {
     return (int) Math.max(1, Math.min(Integer.MAX_VALUE, Math.round((double) size * wanted / other)));
   }
 
-  /** What a window is to show of a scene. */
+  /** The request for a window with a scene. */
   Viewer.Request request(final Path scene) {
     return new Viewer.Request(scene, view, width, height, threads);
   }
 
-  /** Number of threads; 0 if none is asked for. */
+  /** Number of threads; 0 if not given. */
   int threads() {
     return threads;
   }
@@ -269,7 +269,7 @@ final class Options {
     return view;
   }
 
-  /** Whether a window must be there. */
+  /** Whether a window is required. */
   boolean window() {
     return window;
   }
@@ -279,7 +279,7 @@ final class Options {
     return window || !noWindow && !check && output == null && !isForFiles() && scenes.size() <= 1 && hasDisplay();
   }
 
-  /** A first look that loads nothing of what a window needs. Only a system with X or Wayland tells it in this way. */
+  /** A first check that loads no class of the window. It works only on systems with X or Wayland. */
   private static boolean hasDisplay() {
     return !Boolean.getBoolean("java.awt.headless") && (File.separatorChar == '\\'
         || System.getProperty("os.name").startsWith("Mac") || System.getenv("DISPLAY") != null);

@@ -16,7 +16,7 @@ final class PictureProgress implements Progress, AutoCloseable {
   private final Path target;
   private final InterruptHandler interruption;
   private final ProgressLine line;
-  /** Column, row, width and height of each part that is done. */
+  /** Column, row, width and height of each finished part. */
   private int[] done = new int[4096];
   private int end;
 
@@ -60,7 +60,7 @@ final class PictureProgress implements Progress, AutoCloseable {
     return !interruption.requested();
   }
 
-  /** What there is of the image so far, all else transparent. */
+  /** The finished parts of the image, the rest transparent. */
   synchronized BufferedImage partial() {
     final BufferedImage partial = new BufferedImage(image.getWidth(), image.getHeight(), BufferedImage.TYPE_INT_ARGB);
     int[] pixels = new int[0];

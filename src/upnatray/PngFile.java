@@ -24,7 +24,7 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /**
  * Saves images as PNG files that appear whole or not at all: an image is written to a hidden temporary file beside its
- * target, which is then moved into place in one step. Whatever happens before leaves the old file, or none.
+ * target, which is then moved into place in one step. Any failure before that leaves the old file, or none.
  *
  * <p>Nothing but a PNG file is ever replaced.
  */

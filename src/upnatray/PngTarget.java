@@ -12,18 +12,18 @@ import java.util.Set;
 
 import arguments.Messages;
 
-/** The file to which a picture is to be written, and what speaks against that. */
+/** The file to which a picture is to be written, and the reasons against that. */
 final class PngTarget {
 
   private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   private static final String ENDING = ".png";
 
-  /** Endings of other image formats, and of files that pictures are made of. (A regular expression takes 20 ms to load.) */
+  /** Endings of other image formats, and of input files. (A regular expression takes 20 ms to load.) */
   private static final Set<String> OTHER_FORMATS = Set.of("jpg", "jpeg", "jpe", "jfif", "jp2", "jxl", "gif", "bmp", "dib",
       "tif", "tiff", "webp", "pbm", "pgm", "pnm", "ppm", "pfm", "tga", "ico", "svg", "svgz", "exr", "hdr", "heic", "heif",
       "avif", "psd", "pcx", "xbm", "xpm", "qoi", "eps", "pdf", "xml", "xsd", "obj", "mtl", "zip", "gz", "java");
 
-  /** Names that Windows keeps for devices, in every folder and with any ending. */
+  /** Names that Windows reserves for devices, in every folder and with any ending. */
   private static final String DEVICES = "(?i)(?:con|prn|aux|nul|conin\\$|conout\\$|(?:com|lpt)[0-9¹²³]) *(?:[.:].*)?";
 
   private final Path target;
@@ -32,7 +32,7 @@ final class PngTarget {
     this.target = target;
   }
 
-  /** Checks all that can be seen before the picture is rendered; the inputs are the files that it is made of. */
+  /** Checks all that can be checked before the picture is rendered; the inputs are the files that it is made of. */
   void check(final InputFiles inputs) throws SaveException {
     checkName(File.separatorChar == '\\');
     checkPlace();
@@ -82,7 +82,7 @@ final class PngTarget {
     }
   }
 
-  /** A file is replaced only if it is a PNG; an empty one of that name, as mktemp makes it, holds nothing to be lost. */
+  /** A file is replaced only if it is a PNG, or empty with such a name, as made by mktemp: then there is nothing to lose. */
   private void checkContent() throws SaveException {
     if (!Files.exists(target)) {
       return;

@@ -20,7 +20,7 @@ final class ProgressLine {
     this.total = total;
   }
 
-  /** From JDK 22 on there may be a console that is no terminal, which a newer method reports. */
+  /** From JDK 22 on there may be a console that is not a terminal, which a newer method reports. */
   private static boolean isTerminal() {
     final Console console = System.console();
     try {
@@ -32,7 +32,7 @@ final class ProgressLine {
     }
   }
 
-  /** Counts pixels that are done, and every tenth of a second shows how many there are. */
+  /** Counts finished pixels, and shows their number every tenth of a second. */
   synchronized void add(final int pixels) {
     done += pixels;
     if (shown && System.nanoTime() - last > NANOSECONDS_BETWEEN) {
@@ -44,7 +44,7 @@ final class ProgressLine {
     }
   }
 
-  /** Leaves the line empty, for others to write on. */
+  /** Clears the line for other output. */
   synchronized void clear() {
     if (length > 0) {
       System.err.print("\r" + " ".repeat(length) + "\r");

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 
 import arguments.Messages;
 
-/** A picture that is not written, because something else than a picture would be lost, or its name would mislead. */
+/** A picture is not written, because something other than a picture would be lost, or because its name would mislead. */
 final class RefusedTargetException extends SaveException {
 
   private static final long serialVersionUID = 1L;

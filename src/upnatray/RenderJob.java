@@ -35,7 +35,7 @@ public final class RenderJob {
   /** What the picture shows of each hit. */
   private final Shading shading;
   private final Image image;
-  /** The numbers of a view of numbers; null for the others. */
+  /** The numbers of a pass of numbers; null for other passes. */
   private final NumberPass numbers;
   private final AtomicLong done = new AtomicLong();
   private volatile boolean cancelled;
@@ -113,8 +113,8 @@ public final class RenderJob {
   }
 
   /**
-   * The picture of one light of a lit scene: what it brings to each pixel. In linear light these add up to the picture of
-   * the scene, but for the background and what mirrors and glass show of it.
+   * The picture of one light of a lit scene: what it contributes to each pixel. In linear light these pictures add up to
+   * that of the scene, except for the background and its reflections.
    *
    * @param scene the scene, which must not change meanwhile
    * @param light number of the light, from 0
@@ -162,7 +162,7 @@ public final class RenderJob {
   }
 
   /**
-   * How the colours of a scene come about.
+   * The shading of a scene's colours.
    *
    * @param scene the scene
    * @return its shading
@@ -179,7 +179,7 @@ public final class RenderJob {
     return (int) (127.5 * (1 + component) + 0.5);
   }
 
-  /** Makes colours of the numbers of a part of the picture, on the scale of those known so far. */
+  /** Converts the numbers of a part of the picture to colours, on the scale of those known so far. */
   private void paint(final int x, final int y, final int width, final int height) {
     final ColourScale scale = widened(x, y, width, height);
     for (int row = y; row < y + height; row++) {
@@ -190,7 +190,10 @@ public final class RenderJob {
     }
   }
 
-  /** Brings all numbers to one scale; pixels without any, such as those that were not rendered, stay as they are. */
+  /**
+   * Converts all numbers on the final scale; pixels without a number, such as those that were not rendered, stay as they
+   * are.
+   */
   private void recolour(final ColourScale scale) {
     final int W = image.getWidth();
     for (int i = 0; i < W * image.getHeight(); i++) {
@@ -268,7 +271,7 @@ public final class RenderJob {
   }
 
   /**
-   * How much is done.
+   * The completed fraction.
    *
    * @return 0 … 1
    */
@@ -277,7 +280,7 @@ public final class RenderJob {
   }
 
   /**
-   * Time since the begin of the run, or its whole time once it has ended.
+   * Time since the start of the run, or its total time once it has ended.
    *
    * @return seconds; 0 before it begins
    */
@@ -297,7 +300,7 @@ public final class RenderJob {
   }
 
   /**
-   * Time that the rest will take, if it takes as long as what is done.
+   * Estimated remaining time, at the speed so far.
    *
    * @return seconds; infinity before anything is done
    */

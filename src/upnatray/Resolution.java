@@ -11,12 +11,12 @@ import tracer.RayGenerator;
 import view.Camera;
 
 /**
- * How many pixels a picture has, and of how many rays each is made.
+ * How many pixels a picture has, and how many rays each pixel.
  *
  * @param W width of the picture in pixels, at least 1
  * @param H height of the whole picture in pixels, at least 1
- * @param samples K, where a pixel is made of K × K rays, 1 … 16
- * @param top the first row of the picture that is rendered, from 0 at the top
+ * @param samples K for K × K rays per pixel, 1 … 16
+ * @param top the first row to be rendered, from 0 at the top
  * @param rows number of rows that are rendered, at least 1
  */
 record Resolution(int W, int H, int samples, int top, int rows) {
@@ -32,7 +32,7 @@ record Resolution(int W, int H, int samples, int top, int rows) {
     index("rows", H - top, positive("rows", rows) - 1);
   }
 
-  /** A whole picture of one ray for each pixel. */
+  /** A whole picture of one ray per pixel. */
   static Resolution of(final int W, final int H) {
     return new Resolution(W, H, 1, 0, positive("H", H));
   }

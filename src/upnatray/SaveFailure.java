@@ -9,7 +9,7 @@ import java.nio.file.NoSuchFileException;
 
 import arguments.Messages;
 
-/** Why a file could not be written, in the user's language as far as that is known. */
+/** Why a file could not be written, in the user's language where the reason is known. */
 final class SaveFailure {
 
   private SaveFailure() {

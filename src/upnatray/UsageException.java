@@ -2,7 +2,7 @@ package upnatray;
 
 import arguments.Messages;
 
-/** A command line that is wrong; the message says how. */
+/** An invalid command line; the message says why. */
 final class UsageException extends Exception {
 
   private static final long serialVersionUID = 1L;

@@ -7,17 +7,17 @@ import java.util.ServiceLoader;
 import rendering.RenderPass;
 
 /**
- * Something that shows pictures of scenes. It is found as a service, so that the command line knows no window, and loads
- * none where none is wanted.
+ * Shows pictures of scenes. Found as a service, so that the command line does not depend on the window, and loads it only
+ * where it is wanted.
  */
 public interface Viewer {
 
   /**
-   * What is to be shown.
+   * What to show.
    *
    * @param scene the scene file
    * @param view what to show of it
-   * @param width width in pixels; 0 for the scene's own, or to keep its proportion if the height is given
+   * @param width width in pixels; 0 for the scene's own, or to preserve the aspect ratio if the height is given
    * @param height height in pixels; 0 as for the width
    * @param threads number of threads; 0 for one for each core
    */
