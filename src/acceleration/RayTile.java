@@ -199,6 +199,16 @@ public final class RayTile {
     reset();
   }
 
+  /**
+   * Takes a ray out of a tile that is closed already, as if the pixel had none. The frustum still encloses it.
+   *
+   * @param i number of the pixel, column + SIZE · row
+   */
+  public void remove(final int i) {
+    vx[i] = Double.NaN;
+    directionX[i] = Double.NaN;
+  }
+
   // The loops below convert nothing, so that the compiler can make vector instructions of them.
 
   private static void roundStarts(final int n, final double[] x) {

@@ -230,6 +230,16 @@ public final class TileHits {
   }
 
   /**
+   * The object that a ray hits: that of its {@link #hit}, which need not be made for this.
+   *
+   * @param i number of the pixel; {@link #hits} must be true
+   * @return the object
+   */
+  public Object3D object(final int i) {
+    return hit[i] != null ? hit[i].getObject() : painted[i];
+  }
+
+  /**
    * The whole hit of a ray: what the group's {@code intersectionWith} returns for it.
    *
    * @param i number of the pixel

@@ -1,10 +1,11 @@
 package rendering;
 
+import models.TileHits;
 import tracer.Hit;
 import tracer.Ray;
 
 /** Writes the colours of a shading, before a background. */
-final class ColourWriter implements PixelWriter {
+class ColourWriter implements PixelWriter {
 
   private final Shading shading;
   private final int[] pixels;
@@ -37,9 +38,14 @@ final class ColourWriter implements PixelWriter {
     return shading instanceof Illumination illumination ? new LitTile(illumination) : null;
   }
 
-  /** Writes a colour as it is. */
-  void paint(final int pixel, final int argb) {
-    pixels[pixel] = argb;
+  /** Writes the plain colour of what ray i of a tile hits. */
+  void paint(final int pixel, final TileHits hits, final int i) {
+    pixels[pixel] = hits.argb(i);
+  }
+
+  /** Writes the light that ray i of a tile brings from what it hits. */
+  void paint(final int pixel, final LitTile lit, final int i) {
+    pixels[pixel] = lit.argb(i);
   }
 
   @Override

@@ -9,7 +9,7 @@ import tracer.Ray;
 import tracer.RayGenerator;
 
 /** A rectangle of the rays of a picture, as a picture of its own. */
-public final class GeneratorWindow extends RayGenerator {
+public class GeneratorWindow extends RayGenerator {
 
   private final RayGenerator rays;
   private final int left;
@@ -29,6 +29,12 @@ public final class GeneratorWindow extends RayGenerator {
     index("bottom", notNull("rays", rays).getHeight() - positive("rows", rows) + 1, bottom);
     return bottom == 0 && rows == rays.getHeight() ? rays
         : new GeneratorWindow(rays, new int[] {0, bottom, rays.getWidth(), rows}, 1);
+  }
+
+  /** The rays of a rectangle of pixels whose lowest leftmost is (m, n), of which each takes a square of the given rays. */
+  static GeneratorWindow ofPixels(final RayGenerator rays, final int m, final int n, final int width, final int height,
+      final int samples) {
+    return new GeneratorWindow(rays, new int[] {m * samples, n * samples, width * samples, height * samples}, samples);
   }
 
   /** The rays of a rectangle: column and row of its first, width and height; so many make up the side of a pixel. */

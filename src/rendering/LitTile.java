@@ -42,6 +42,16 @@ final class LitTile {
     return found[i].hits();
   }
 
+  /** The hit of a pixel. */
+  Hit hit(final int i) {
+    return found[i];
+  }
+
+  /** What was traced last. */
+  WhittedTracer tracer() {
+    return tracer;
+  }
+
   /** The colour of a pixel that hits something. */
   int argb(final int i) {
     tracer.trace(i, rays[i], found[i]);

@@ -4,8 +4,6 @@ import static arguments.Arguments.notNull;
 import static arguments.Arguments.within;
 
 import java.util.concurrent.ThreadFactory;
-import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.atomic.AtomicReference;
 
 import models.Group3D;
 import tracer.RayGenerator;
@@ -28,13 +26,6 @@ public final class Supersampling {
   private final RayGenerator generator;
   private final RenderSettings rendering;
   private final int samples;
-  /** Side of a block, and size of the picture, in pixels. */
-  private final int side;
-  private final int W;
-  private final int H;
-  private final AtomicInteger next = new AtomicInteger();
-  private final AtomicReference<Throwable> failure = new AtomicReference<>();
-  private volatile boolean stopped;
 
   /**
    * A picture to be rendered.
@@ -52,9 +43,6 @@ public final class Supersampling {
     within("samples", 1, MOST, (double) samples);
     this.samples = samples;
     this.rendering = notNull("rendering", rendering);
-    this.side = BLOCK / samples;
-    this.W = generator.getWidth() / samples;
-    this.H = generator.getHeight() / samples;
   }
 
   /**
@@ -66,49 +54,40 @@ public final class Supersampling {
    * @return false if the rendering was stopped before its end
    */
   public boolean render(final int[] pixels, final int background, final ThreadFactory factory) {
-    rendering.refresh(scene);
-    final int across = (W + side - 1) / side, down = (H + side - 1) / side;
-    final int[] order = TileOrder.centreOutwards(across, down);
-    Workers.run(Math.min(rendering.pixelLoop() ? 1 : rendering.threads(), order.length), factory, () -> {
-      final int[] rays = new int[side * samples * side * samples];
-      try {
-        for (int i = next.getAndIncrement(); i < order.length && !stopped; i = next.getAndIncrement()) {
-          block(order[i] % across * side, order[i] / across * side, rays, pixels, background);
+    final int W = generator.getWidth() / samples, H = generator.getHeight() / samples;
+    return new PictureBlocks(W, H, BLOCK / samples).render(scene, rendering, factory, settings -> {
+      final int[] rays = new int[BLOCK * BLOCK];
+      final PixelWriter colours = rendering.colours(rays, background);
+      return (m, n, width, height) -> {
+        final GeneratorWindow window = GeneratorWindow.ofPixels(generator, m, n, width, height, samples);
+        if (!settings.renderPart(scene, window, colours, Thread::new)) {
+          return false;
         }
-      } catch (Throwable e) {
-        failure.compareAndSet(null, e);
-        stopped = true;
-      }
+        for (int y = 0; y < height; y++) {
+          for (int x = 0; x < width; x++) {
+            pixels[(H - n - height + y) * W + m + x] = mean(rays, x, y, width, samples);
+          }
+        }
+        return true;
+      };
     });
-    Workers.rethrow(failure.get());
-    return !stopped;
   }
 
-  /** Renders the block whose lowest leftmost pixel is (m, n). */
-  private void block(final int m, final int n, final int[] rays, final int[] pixels, final int background) {
-    final int width = Math.min(side, W - m), height = Math.min(side, H - n);
-    final int[] rectangle = {m * samples, n * samples, width * samples, height * samples};
-    final RenderSettings alone = rendering.withThreads(1).withProgress((x, y, w, h) -> !stopped);
-    if (!alone.renderPart(scene, new GeneratorWindow(generator, rectangle, samples), rendering.colours(rays, background),
-        Thread::new)) {
-      return;
-    }
-    for (int y = 0; y < height; y++) {
-      for (int x = 0; x < width; x++) {
-        pixels[(H - n - height + y) * W + m + x] = mean(rays, y * samples * width * samples + x * samples, width * samples);
-      }
-    }
-    if (!rendering.progress().tileDone(m, H - n - height, width, height)) {
-      stopped = true;
-    }
-  }
-
-  /** The mean colour of a square of rays. */
-  private int mean(final int[] rays, final int first, final int row) {
+  /**
+   * The mean colour of the rays of a pixel.
+   *
+   * @param rays the colours of the rays of a rectangle of pixels, row by row
+   * @param x column of the pixel in the rectangle
+   * @param y row of the pixel in the rectangle
+   * @param width width of the rectangle in pixels
+   * @param samples rays along the side of a pixel
+   */
+  static int mean(final int[] rays, final int x, final int y, final int width, final int samples) {
+    final int row = width * samples, first = y * samples * row + x * samples;
     double r = 0, g = 0, b = 0;
     int alpha = 0, different = 0;
-    for (int y = 0; y < samples; y++) {
-      for (int i = first + y * row; i < first + y * row + samples; i++) {
+    for (int j = 0; j < samples; j++) {
+      for (int i = first + j * row; i < first + j * row + samples; i++) {
         final int argb = rays[i], a = argb >>> 24;
         different |= argb ^ rays[first];
         alpha += a;

@@ -86,8 +86,11 @@ public final class TileRenderer {
       rays.open(width, height);
       generator.fill(rays, m, n);
       rays.close();
+      final boolean wanted = !(generator instanceof MaskedRays masked) || masked.mask(rays, m, n);
       hits.clear();
-      scene.closestHits(rays, hits);
+      if (wanted) {
+        scene.closestHits(rays, hits);
+      }
       if (lit != null) {
         lit.prepare(hits, width, height);
       }
@@ -105,8 +108,10 @@ public final class TileRenderer {
   private void paint(final TileHits hits, final LitTile lit, final int first, final int width, final int at) {
     if (picture instanceof ColourWriter colours && (lit != null || colours.isPlain())) {
       for (int i = first; i < first + width; i++) {
-        if (lit != null ? lit.hits(i) : hits.hits(i)) {
-          colours.paint(at + i - first, lit != null ? lit.argb(i) : hits.argb(i));
+        if (lit != null && lit.hits(i)) {
+          colours.paint(at + i - first, lit, i);
+        } else if (lit == null && hits.hits(i)) {
+          colours.paint(at + i - first, hits, i);
         } else {
           colours.miss(at + i - first, Ray.NORAY);
         }

@@ -70,6 +70,8 @@ final class WhittedTracer {
   private double r;
   private double g;
   private double b;
+  private long lit;
+  private long shadowed;
 
   WhittedTracer(final Illumination illumination) {
     this.scene = illumination.scene();
@@ -90,6 +92,16 @@ final class WhittedTracer {
     return b;
   }
 
+  /** Which of the first 64 lights bring something to the first hit: bit i stands for light i. */
+  long lit() {
+    return lit;
+  }
+
+  /** Which of the first 64 lights would bring something to the first hit, but are blocked. */
+  long shadowed() {
+    return shadowed;
+  }
+
   /** Finds the radiance of a ray of depth 0 from its closest hit. */
   void trace(final Ray first, final Hit hit, final LightObserver observer) {
     report = observer == LightObserver.NONE ? null : new TraceReport(observer, incidence, interaction, specular);
@@ -108,6 +120,8 @@ final class WhittedTracer {
     r = 0;
     g = 0;
     b = 0;
+    lit = 0;
+    shadowed = 0;
     end = 0;
     take(first, 0, 1, 1, 1);
     follow(hit);
@@ -276,9 +290,7 @@ final class WhittedTracer {
         lb = weightB * interaction.radianceB();
     if (lr > 0 || lg > 0 || lb > 0) {
       if (depth == 0 && pixel >= 0 && number < shadows.length && shadows[number].holds(pixel)) {
-        if (!shadows[number].isBlocked(pixel)) {
-          add(lr, lg, lb);
-        }
+        arrive(number, shadows[number].isBlocked(pixel), lr, lg, lb);
         return;
       }
       final Ray shadowRay = surface.towards(before, wx, wy, wz, incidence.distance());
@@ -286,11 +298,20 @@ final class WhittedTracer {
       if (report != null) {
         report.light(lights[number], number, blocked, new RadianceRGB(lr, lg, lb), shadowRay, surface.distance());
       }
-      if (!blocked) {
-        add(lr, lg, lb);
-      }
+      arrive(number, blocked, lr, lg, lb);
     } else if (report != null) {
       report.dark(lights[number], number, LightObserver.Outcome.NOT_REFLECTED);
+    }
+  }
+
+  /** Adds what a light brings, unless it is blocked. */
+  private void arrive(final int number, final boolean blocked, final double lr, final double lg, final double lb) {
+    if (depth == 0 && number < Long.SIZE) {
+      lit |= (blocked ? 0L : 1L) << number;
+      shadowed |= (blocked ? 1L : 0L) << number;
+    }
+    if (!blocked) {
+      add(lr, lg, lb);
     }
   }
 

@@ -12,6 +12,7 @@ import java.util.concurrent.ThreadFactory;
 
 import lights.LightGroup;
 import models.Group3D;
+import rendering.AdaptiveSampling;
 import rendering.Illumination;
 import rendering.RenderSettings;
 import rendering.Supersampling;
@@ -109,6 +110,18 @@ public class Image extends BufferedImage {
   boolean synthesis(final Group3D scene, final RayGenerator rays, final int samples, final RenderSettings rendering) {
     return samples == 1 ? rendering.render(scene, rays, rendering.colours(pixels(), background), Thread::new)
         : new Supersampling(scene, rays, samples, rendering).render(pixels(), background, Thread::new);
+  }
+
+  /** Computes the pixels of a picture of this size, or of a band of one. */
+  boolean synthesis(final Group3D scene, final Camera camera, final Resolution resolution, final RenderSettings rendering) {
+    final int K = resolution.samples();
+    if (resolution.adaptive()) {
+      return new AdaptiveSampling(scene, camera.getRayGenerator(resolution.W(), resolution.H()),
+          resolution.wholeRays(camera), K, rendering)
+          .render(resolution.bottom(), resolution.rows(), pixels(), background, Thread::new);
+    }
+    return K > 1 ? synthesis(scene, resolution.rays(camera), K, rendering)
+        : rendering.render(scene, resolution.rays(camera), rendering.colours(pixels(), background), Thread::new);
   }
 
   private int[] pixels() {

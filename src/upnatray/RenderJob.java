@@ -18,7 +18,6 @@ import rendering.RenderSettings;
 import rendering.Shading;
 import rendering.Supersampling;
 import scenes.SceneFile;
-import tracer.RayGenerator;
 
 /**
  * The rendering of one picture of a scene, which can be watched and cancelled from any thread. It is run once, by the thread
@@ -90,10 +89,8 @@ public final class RenderJob {
     };
     try {
       final RenderSettings settings = new RenderSettings(threads, shading, progress);
-      final RayGenerator rays = resolution.rays(scene.camera());
-      final boolean completed = numbers == null
-          ? image.synthesis(scene.objects(), rays, resolution.samples(), settings)
-          : settings.render(scene.objects(), rays, numbers, Thread::new);
+      final boolean completed = numbers == null ? image.synthesis(scene.objects(), scene.camera(), resolution, settings)
+          : settings.render(scene.objects(), resolution.rays(scene.camera()), numbers, Thread::new);
       scale().ifPresent(this::recolour);
       return completed;
     } finally {

@@ -16,10 +16,11 @@ import view.Camera;
  * @param W width of the picture in pixels, at least 1
  * @param H height of the whole picture in pixels, at least 1
  * @param samples K for K × K rays per pixel, 1 … 16
+ * @param adaptive whether only the pixels at edges get them, and the others one
  * @param top the first row to be rendered, from 0 at the top
  * @param rows number of rows that are rendered, at least 1
  */
-record Resolution(int W, int H, int samples, int top, int rows) {
+record Resolution(int W, int H, int samples, boolean adaptive, int top, int rows) {
 
   Resolution {
     positive("W", W);
@@ -32,14 +33,28 @@ record Resolution(int W, int H, int samples, int top, int rows) {
     index("rows", H - top, positive("rows", rows) - 1);
   }
 
+  /** A picture, or a band of one, with the same number of rays for each pixel. */
+  Resolution(final int W, final int H, final int samples, final int top, final int rows) {
+    this(W, H, samples, false, top, rows);
+  }
+
   /** A whole picture of one ray per pixel. */
   static Resolution of(final int W, final int H) {
     return new Resolution(W, H, 1, 0, positive("H", H));
   }
 
-  /** The rays of the picture. */
+  /** The lowest of the rows that are rendered, from 0 at the bottom. */
+  int bottom() {
+    return H - top - rows;
+  }
+
+  /** The rays of the rows that are rendered, K × K for each pixel. */
   RayGenerator rays(final Camera camera) {
-    return GeneratorWindow.rows(camera.getRayGenerator(W * samples, H * samples),
-        (H - top - rows) * samples, rows * samples);
+    return GeneratorWindow.rows(wholeRays(camera), bottom() * samples, rows * samples);
+  }
+
+  /** The rays of the whole picture, K × K for each pixel. */
+  RayGenerator wholeRays(final Camera camera) {
+    return camera.getRayGenerator(W * samples, H * samples);
   }
 }
