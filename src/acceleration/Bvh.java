@@ -230,7 +230,7 @@ public final class Bvh {
     if (isEmpty()) {
       return;
     }
-    final float[] outer = frustum.prepared();
+    final float[] outer = frustum.sides().prepared();
     if (frustum.prepare(whole)) {
       visitLeaves(frustum, limit, leaves);
     } else {
@@ -242,6 +242,7 @@ public final class Bvh {
   }
 
   private void visitLeaves(final TileFrustum frustum, final double limit, final Leaves leaves) {
+    final TileSides sides = frustum.sides();
     final int[] stack = new int[depth + 1];
     int top = 0, node = root;
     float farthest = Math.nextUp((float) limit);
@@ -250,9 +251,9 @@ public final class Bvh {
         farthest = Math.nextUp((float) visit(node, leaves));
       } else {
         final int a = node * 12, b = a + 6;
-        final float nearA = frustum.nearest(boxes, a), nearB = frustum.nearest(boxes, b);
-        final boolean meetsA = !(nearA > farthest) && !frustum.isOutside(boxes, a);
-        final boolean meetsB = !(nearB > farthest) && !frustum.isOutside(boxes, b);
+        final float nearA = sides.nearest(boxes, a), nearB = sides.nearest(boxes, b);
+        final boolean meetsA = !(nearA > farthest) && !sides.isOutside(boxes, a);
+        final boolean meetsB = !(nearB > farthest) && !sides.isOutside(boxes, b);
         if (meetsA && meetsB) {
           final int nearer = nearB < nearA ? 1 : 0;
           stack[top++] = links[2 * node + 1 - nearer];

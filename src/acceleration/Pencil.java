@@ -28,9 +28,9 @@ public final class Pencil {
    * @param look the vector L, to the point of the window whose a and b are 0
    */
   public Pencil(final double[] start, final double[] across, final double[] up, final double[] look) {
-    startX = RayTile.rounded(start[0]);
-    startY = RayTile.rounded(start[1]);
-    startZ = RayTile.rounded(start[2]);
+    startX = RayRounding.rounded(start[0]);
+    startY = RayRounding.rounded(start[1]);
+    startZ = RayRounding.rounded(start[2]);
     acrossX = across[0];
     acrossY = across[1];
     acrossZ = across[2];

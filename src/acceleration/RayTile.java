@@ -12,31 +12,21 @@ import primitives.BoundingBox;
  * <p>Ray i belongs to column {@code i % SIZE} and row {@code i / SIZE} of the tile. Directions are kept twice: as the
  * floats of a {@code tracer.Ray}, and brought to unit length in double, which is what computations use.
  *
- * <p>A tile also has a <em>window</em>, the columns and rows that may meet the object at hand ({@link #narrowTo});
- * who asks an object's rays one by one needs to walk the window only. Not safe for use by several threads: each has
+ * <p>A tile also has a <em>window</em>, the columns and rows that may hit the object at hand ({@link #narrowTo}):
+ * whoever asks an object ray by ray walks the window only. Not safe for use by several threads: each has
  * its own.
  */
-public final class RayTile {
+public final class RayTile extends TileRays {
 
   /** Greatest number of columns and of rows. */
   public static final int SIZE = 16;
 
-  /** 2^29 + 1, which splits the 24 digits of a float off the 53 of a double. */
-  private static final double SPLITTER = (1 << 29) + 1;
-
   /** What the rays were put in as, and {@link #close()} has still to do for them. */
   private enum Kind { NONE, RAW, UNIT, EXACT, PENCIL }
 
-  private final double[] startX = new double[SIZE * SIZE];
-  private final double[] startY = new double[SIZE * SIZE];
-  private final double[] startZ = new double[SIZE * SIZE];
-  private final double[] directionX = new double[SIZE * SIZE];
-  private final double[] directionY = new double[SIZE * SIZE];
-  private final double[] directionZ = new double[SIZE * SIZE];
   private final double[] vx = new double[SIZE * SIZE];
   private final double[] vy = new double[SIZE * SIZE];
   private final double[] vz = new double[SIZE * SIZE];
-  private final TileFrustum frustum = new TileFrustum();
 
   /** For the rays of a pencil, the a and b of each; see {@link Pencil}. */
   private final double[] a = new double[SIZE * SIZE];
@@ -49,13 +39,10 @@ public final class RayTile {
   private Kind kind = Kind.NONE;
   private int columns;
   private int rows;
-  private int firstColumn;
-  private int lastColumn;
-  private int firstRow;
-  private int lastRow;
 
   /** An empty tile. */
   public RayTile() {
+    super(SIZE * SIZE);
   }
 
   /**
@@ -132,9 +119,7 @@ public final class RayTile {
     begin(Kind.EXACT);
     putStart(i, x, y, z);
     putDirection(i, dx, dy, dz);
-    directionX[i] = dx;
-    directionY[i] = dy;
-    directionZ[i] = dz;
+    putUnitDirection(i, dx, dy, dz);
   }
 
   /**
@@ -164,12 +149,6 @@ public final class RayTile {
     }
   }
 
-  private void putStart(final int i, final double x, final double y, final double z) {
-    startX[i] = x;
-    startY[i] = y;
-    startZ[i] = z;
-  }
-
   private void putDirection(final int i, final double dx, final double dy, final double dz) {
     vx[i] = dx;
     vy[i] = dy;
@@ -181,22 +160,21 @@ public final class RayTile {
     begin(kind == Kind.NONE ? Kind.UNIT : kind);
     final int n = SIZE * rows;
     if (kind == Kind.RAW) {
-      roundStarts(n, startX);
-      roundStarts(n, startY);
-      roundStarts(n, startZ);
+      RayRounding.roundStarts(n, startX);
+      RayRounding.roundStarts(n, startY);
+      RayRounding.roundStarts(n, startZ);
     }
     if (kind == Kind.RAW || kind == Kind.PENCIL) {
-      roundDirections(n, vx, vy, vz);
+      RayRounding.roundDirections(n, vx, vy, vz);
     }
     if (kind != Kind.EXACT) {
-      bringToUnit(n, vx, vy, vz, directionX, directionY, directionZ);
+      RayRounding.bringToUnit(n, vx, vy, vz, directionX, directionY, directionZ);
     }
     if (kind == Kind.PENCIL) {
-      frustum.fit(this, pencil, a, b);
+      frustum().fit(this, pencil, a, b);
     } else {
-      frustum.fit(this);
+      frustum().fit(this);
     }
-    reset();
   }
 
   /**
@@ -209,63 +187,9 @@ public final class RayTile {
     directionX[i] = Double.NaN;
   }
 
-  // The loops below convert nothing, so that the compiler can make vector instructions of them.
-
-  private static void roundStarts(final int n, final double[] x) {
-    for (int i = 0; i < n; i++) {
-      x[i] = rounded(x[i]);
-    }
-  }
-
-  private static void roundDirections(final int n, final double[] x, final double[] y, final double[] z) {
-    for (int i = 0; i < n; i++) {
-      final double k = 1 / Math.sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
-      x[i] = rounded(k * x[i]);
-      y[i] = rounded(k * y[i]);
-      z[i] = rounded(k * z[i]);
-    }
-  }
-
-  private static void bringToUnit(final int n, final double[] x, final double[] y, final double[] z,
-      final double[] unitX, final double[] unitY, final double[] unitZ) {
-    for (int i = 0; i < n; i++) {
-      final double k = toUnit(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
-      unitX[i] = k * x[i];
-      unitY[i] = k * y[i];
-      unitZ[i] = k * z[i];
-    }
-  }
-
-  /**
-   * Rounds a number to the 24 digits of a float, without converting it (Veltkamp's splitting; Dekker, "A Floating-Point
-   * Technique for Extending the Available Precision", 1971).
-   *
-   * @param x a number, at most 2<sup>900</sup>
-   * @return the number of 24 digits next to it
-   */
-  public static double rounded(final double x) {
-    final double p = SPLITTER * x;
-    return p - (p - x);
-  }
-
-  /**
-   * The factor that brings a vector to unit length whose length is 1 up to the rounding of floats: 1 / √(1 + δ) by its
-   * series, whose next term, of δ³ &lt; 10<sup>-19</sup>, is beyond double.
-   *
-   * @param squaredLength square of the vector's length, 1 + δ
-   * @return the factor
-   */
-  public static double toUnit(final double squaredLength) {
-    final double delta = squaredLength - 1;
-    return 1 - delta * (0.5 - 0.375 * delta);
-  }
-
   /** Makes the whole tile the window. */
   public void reset() {
-    firstColumn = 0;
-    lastColumn = columns - 1;
-    firstRow = 0;
-    lastRow = rows - 1;
+    frustum().window().all();
   }
 
   /**
@@ -275,18 +199,20 @@ public final class RayTile {
    * @return whether any pixel is left
    */
   public boolean narrowTo(final BoundingBox box) {
-    reset();
-    if (!frustum.isFitted() || !box.isFinite()) {
+    if (!frustum().isFitted() || !box.isFinite()) {
+      reset();
       return true;
     }
-    if (!frustum.project(box)) {
-      return false;
-    }
-    firstColumn = frustum.firstColumn();
-    lastColumn = frustum.lastColumn();
-    firstRow = frustum.firstRow();
-    lastRow = frustum.lastRow();
-    return true;
+    return frustum().project(box);
+  }
+
+  /**
+   * The columns and rows that may hit the object at hand.
+   *
+   * @return the window, which each projection of the frustum changes
+   */
+  public TileWindow window() {
+    return frustum().window();
   }
 
   /**
@@ -305,102 +231,6 @@ public final class RayTile {
    */
   public int rows() {
     return rows;
-  }
-
-  /**
-   * First column of the window.
-   *
-   * @return the number, from 0
-   */
-  public int firstColumn() {
-    return firstColumn;
-  }
-
-  /**
-   * Last column of the window.
-   *
-   * @return the number, from 0
-   */
-  public int lastColumn() {
-    return lastColumn;
-  }
-
-  /**
-   * First row of the window.
-   *
-   * @return the number, from 0
-   */
-  public int firstRow() {
-    return firstRow;
-  }
-
-  /**
-   * Last row of the window.
-   *
-   * @return the number, from 0
-   */
-  public int lastRow() {
-    return lastRow;
-  }
-
-  /**
-   * First coordinate of the start of a ray.
-   *
-   * @param i number of the pixel, column + SIZE · row
-   * @return the number
-   */
-  public double startX(final int i) {
-    return startX[i];
-  }
-
-  /**
-   * Second coordinate of the start of a ray.
-   *
-   * @param i number of the pixel, column + SIZE · row
-   * @return the number
-   */
-  public double startY(final int i) {
-    return startY[i];
-  }
-
-  /**
-   * Third coordinate of the start of a ray.
-   *
-   * @param i number of the pixel, column + SIZE · row
-   * @return the number
-   */
-  public double startZ(final int i) {
-    return startZ[i];
-  }
-
-  /**
-   * First component of the direction of a ray.
-   *
-   * @param i number of the pixel, column + SIZE · row
-   * @return the number; NaN if the pixel has no ray
-   */
-  public double directionX(final int i) {
-    return directionX[i];
-  }
-
-  /**
-   * Second component of the direction of a ray.
-   *
-   * @param i number of the pixel, column + SIZE · row
-   * @return the number; NaN if the pixel has no ray
-   */
-  public double directionY(final int i) {
-    return directionY[i];
-  }
-
-  /**
-   * Third component of the direction of a ray.
-   *
-   * @param i number of the pixel, column + SIZE · row
-   * @return the number; NaN if the pixel has no ray
-   */
-  public double directionZ(final int i) {
-    return directionZ[i];
   }
 
   /**
@@ -441,14 +271,5 @@ public final class RayTile {
    */
   public boolean isPresent(final int i) {
     return !Double.isNaN(directionX[i]);
-  }
-
-  /**
-   * The frustum about the rays.
-   *
-   * @return the frustum, refitted by each {@link #close()}
-   */
-  public TileFrustum frustum() {
-    return frustum;
   }
 }

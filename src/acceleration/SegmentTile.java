@@ -18,7 +18,7 @@ import primitives.BoundingBox;
  * frustum by itself; and what lies less than 10<sup>6</sup> displacements before the light counts as seen by all of the
  * raster, as beyond that a line is off its place by less than 10<sup>-6</sup> of the slopes.
  */
-public final class SegmentTile {
+public final class SegmentTile extends TileRays {
 
   /** Number of segments, and of blocks and of segments in a block. */
   private static final int MOST = RayTile.SIZE * RayTile.SIZE;
@@ -27,12 +27,6 @@ public final class SegmentTile {
   /** Number of columns and of rows of the raster. */
   private static final int RASTER = RayTile.SIZE;
 
-  private final double[] startX = new double[MOST];
-  private final double[] startY = new double[MOST];
-  private final double[] startZ = new double[MOST];
-  private final double[] directionX = new double[MOST];
-  private final double[] directionY = new double[MOST];
-  private final double[] directionZ = new double[MOST];
   private final double[] length = new double[MOST];
   private final double[] column = new double[MOST];
   private final double[] row = new double[MOST];
@@ -45,14 +39,16 @@ public final class SegmentTile {
   private final double[] mostRow = new double[MOST / BLOCK];
   private final double[] farthest = new double[MOST / BLOCK];
 
-  private final TileFrustum frustum = new TileFrustum();
-  private final SegmentFit fit = new SegmentFit(this, frustum.grid());
+  private final TileGrid grid = frustum().grid();
+  private final TileWindow window = frustum().window();
+  private final SegmentFit fit = new SegmentFit(this, grid);
   private double longest;
   private int first;
   private int count;
 
   /** An empty tile. */
   public SegmentTile() {
+    super(MOST);
   }
 
   /**
@@ -86,12 +82,8 @@ public final class SegmentTile {
    */
   public void add(final int i, final double x, final double y, final double z,
       final double dx, final double dy, final double dz, final double itsLength) {
-    startX[i] = x;
-    startY[i] = y;
-    startZ[i] = z;
-    directionX[i] = dx;
-    directionY[i] = dy;
-    directionZ[i] = dz;
+    putStart(i, x, y, z);
+    putUnitDirection(i, dx, dy, dz);
     length[i] = itsLength;
     open[i / BLOCK] |= 1 << i % BLOCK;
     longest = Math.max(longest, itsLength);
@@ -109,7 +101,7 @@ public final class SegmentTile {
       return false;
     }
     final boolean possible = fit.fit();
-    frustum.encloseRaster(possible, RASTER);
+    frustum().encloseRaster(possible, RASTER);
     if (possible) {
       for (int block = 0; block < open.length; block++) {
         bound(block);
@@ -138,19 +130,10 @@ public final class SegmentTile {
 
   /** How far from the frustum's origin, along the axis, a segment reaches. */
   private double depth(final int i) {
-    final TileGrid g = frustum.grid();
+    final TileGrid g = grid;
     final double start = (startX[i] - g.originX) * g.axisX + (startY[i] - g.originY) * g.axisY
         + (startZ[i] - g.originZ) * g.axisZ;
     return start + (g.pyramid ? g.displacement : length[i]);
-  }
-
-  /**
-   * The frustum about the segments, from the light on.
-   *
-   * @return the frustum, fitted if {@link #close} says so
-   */
-  public TileFrustum frustum() {
-    return frustum;
   }
 
   /**
@@ -172,7 +155,7 @@ public final class SegmentTile {
    * @return the displacement
    */
   public double displacement() {
-    return frustum.grid().displacement;
+    return grid.displacement;
   }
 
   /**
@@ -191,8 +174,8 @@ public final class SegmentTile {
    * @return bit k for the segment 16 · block + k
    */
   public int candidates(final int block) {
-    return open[block] != 0 && mostColumn[block] >= frustum.leastColumn() && leastColumn[block] <= frustum.mostColumn()
-        && mostRow[block] >= frustum.leastRow() && leastRow[block] <= frustum.mostRow() ? open[block] : 0;
+    return open[block] != 0
+        && window.overlaps(leastColumn[block], mostColumn[block], leastRow[block], mostRow[block]) ? open[block] : 0;
   }
 
   /**
@@ -212,8 +195,7 @@ public final class SegmentTile {
    * @return false if it does not
    */
   public boolean isCandidate(final int i) {
-    return column[i] >= frustum.leastColumn() && column[i] <= frustum.mostColumn()
-        && row[i] >= frustum.leastRow() && row[i] <= frustum.mostRow();
+    return window.contains(column[i], row[i]);
   }
 
   /**
@@ -223,10 +205,7 @@ public final class SegmentTile {
    * @return whether there may be anything, which {@link #candidates} says
    */
   public boolean project(final BoundingBox box) {
-    if (box.isFinite()) {
-      return frustum.project(box);
-    }
-    return frustum.all();
+    return box.isFinite() ? frustum().project(box) : window.all();
   }
 
   /**
@@ -236,66 +215,6 @@ public final class SegmentTile {
    */
   public void block(final int i) {
     open[i / BLOCK] &= ~(1 << i % BLOCK);
-  }
-
-  /**
-   * First coordinate of the start of a segment.
-   *
-   * @param i its number
-   * @return the number
-   */
-  public double startX(final int i) {
-    return startX[i];
-  }
-
-  /**
-   * Second coordinate of the start.
-   *
-   * @param i its number
-   * @return the number
-   */
-  public double startY(final int i) {
-    return startY[i];
-  }
-
-  /**
-   * Third coordinate of the start.
-   *
-   * @param i its number
-   * @return the number
-   */
-  public double startZ(final int i) {
-    return startZ[i];
-  }
-
-  /**
-   * First component of the direction of a segment.
-   *
-   * @param i its number
-   * @return the number
-   */
-  public double directionX(final int i) {
-    return directionX[i];
-  }
-
-  /**
-   * Second component of the direction.
-   *
-   * @param i its number
-   * @return the number
-   */
-  public double directionY(final int i) {
-    return directionY[i];
-  }
-
-  /**
-   * Third component of the direction.
-   *
-   * @param i its number
-   * @return the number
-   */
-  public double directionZ(final int i) {
-    return directionZ[i];
   }
 
   double length(final int i) {

@@ -14,6 +14,7 @@ import javax.vecmath.Vector3d;
 import javax.vecmath.Vector3f;
 
 import acceleration.RayTile;
+import acceleration.TileWindow;
 import materials.Material;
 import primitives.BoundingBox;
 import tracer.Hit;
@@ -375,8 +376,9 @@ public class AffineTransformation extends Object3D {
     fill(local.rays(), rays);
     local.clear();
     asked.closestHits(local.rays(), local);
-    for (int row = rays.firstRow(); row <= rays.lastRow(); row++) {
-      for (int i = row * RayTile.SIZE + rays.firstColumn(); i <= row * RayTile.SIZE + rays.lastColumn(); i++) {
+    final TileWindow window = rays.window();
+    for (int row = window.firstRow(); row <= window.lastRow(); row++) {
+      for (int i = row * RayTile.SIZE + window.firstColumn(); i <= row * RayTile.SIZE + window.lastColumn(); i++) {
         if (local.hits(i)) {
           final double t = local.distance(i) / stretch(rays.directionX(i), rays.directionY(i), rays.directionZ(i));
           if (hits.isCloser(i, t, local.part(i))) {
@@ -389,8 +391,9 @@ public class AffineTransformation extends Object3D {
 
   private void fill(final RayTile local, final RayTile rays) {
     local.open(rays.columns(), rays.rows());
-    for (int row = rays.firstRow(); row <= rays.lastRow(); row++) {
-      for (int i = row * RayTile.SIZE + rays.firstColumn(); i <= row * RayTile.SIZE + rays.lastColumn(); i++) {
+    final TileWindow window = rays.window();
+    for (int row = window.firstRow(); row <= window.lastRow(); row++) {
+      for (int i = row * RayTile.SIZE + window.firstColumn(); i <= row * RayTile.SIZE + window.lastColumn(); i++) {
         final double dx = rays.directionX(i), dy = rays.directionY(i), dz = rays.directionZ(i), k = stretch(dx, dy, dz);
         final double px = rays.startX(i) - shiftX, py = rays.startY(i) - shiftY, pz = rays.startZ(i) - shiftZ;
         local.putExactly(i, firstOf(px, py, pz), secondOf(px, py, pz), thirdOf(px, py, pz),

@@ -1,9 +1,7 @@
 package models;
 
-import acceleration.Bvh;
 import acceleration.RayTile;
 import acceleration.SegmentTile;
-import acceleration.TileFrustum;
 
 /**
  * The shadow rays of a tile that a mesh blocks. A triangle is projected from the light, and tested for those rays only that
@@ -16,29 +14,20 @@ import acceleration.TileFrustum;
  * {@link MeshTree#error} bounds the rounding, here and at the start of each ray, whose greatest coordinate differs from the
  * light's by no more than the length of the ray.
  */
-final class MeshShadow implements Bvh.Leaves {
+final class MeshShadow extends MeshLeaves {
 
   /** Bound of what rounding and the displacement can do to the distance of the light from a triangle's plane. */
   private static final double EDGE_ON = 0x1p-40;
 
   private final ShadowTile tile;
   private final SegmentTile segments;
-  private final TileFrustum frustum;
-  private final MeshTree mesh;
-  private final double x;
-  private final double y;
-  private final double z;
   private final double doubt;
   private final double edgeOn;
 
   MeshShadow(final ShadowTile tile, final MeshTree mesh) {
+    super(mesh, tile.segments().frustum());
     this.tile = tile;
     this.segments = tile.segments();
-    this.frustum = segments.frustum();
-    this.mesh = mesh;
-    this.x = frustum.originX();
-    this.y = frustum.originY();
-    this.z = frustum.originZ();
     final double extent = mesh.greatest(x, y, z), length = segments.longest();
     this.doubt = mesh.error(x, y, z) + 2 * WatertightTest.error(extent + length) + 4 * segments.displacement() * extent;
     this.edgeOn = segments.displacement() + EDGE_ON * (extent + length);
@@ -49,21 +38,13 @@ final class MeshShadow implements Bvh.Leaves {
   }
 
   @Override
-  public double visit(final int first, final int end) {
-    for (int place = first; place < end; place++) {
-      final int a = mesh.vertex(place, 0), b = mesh.vertex(place, 1), c = mesh.vertex(place, 2);
-      final double ax = mesh.coordinate(a) - x, ay = mesh.coordinate(a + 1) - y, az = mesh.coordinate(a + 2) - z;
-      final double bx = mesh.coordinate(b) - x, by = mesh.coordinate(b + 1) - y, bz = mesh.coordinate(b + 2) - z;
-      final double cx = mesh.coordinate(c) - x, cy = mesh.coordinate(c + 1) - y, cz = mesh.coordinate(c + 2) - z;
-      if (frustum.project(ax, ay, az, bx, by, bz, cx, cy, cz)) {
-        test(place, ax, ay, az, bx, by, bz, cx, cy, cz);
-      }
-    }
-    tile.visitTriangles(end - first);
+  double farthest(final int visited) {
+    tile.visitTriangles(visited);
     return tile.farthest();
   }
 
-  private void test(final int place, final double ax, final double ay, final double az,
+  @Override
+  void test(final int place, final double ax, final double ay, final double az,
       final double bx, final double by, final double bz, final double cx, final double cy, final double cz) {
     final double px = bx - ax, py = by - ay, pz = bz - az, qx = cx - ax, qy = cy - ay, qz = cz - az;
     final double nx = py * qz - pz * qy, ny = pz * qx - px * qz, nz = px * qy - py * qx;

@@ -1,35 +1,27 @@
 package models;
 
-import acceleration.Bvh;
 import acceleration.RayTile;
-import acceleration.TileFrustum;
+import acceleration.TileWindow;
 
 /**
  * The closest triangles of a mesh on the rays of a tile. A triangle of a leaf is projected into the tile, and only the rays
  * of the pixels that it may cover are tested. If the rays share a start, what the test needs of a triangle is computed once
  * for all of them. The numbers are those of {@link WatertightTest#distance}, bit for bit.
  */
-final class MeshTile implements Bvh.Leaves {
+final class MeshTile extends MeshLeaves {
 
   private final RayTile rays;
-  private final TileFrustum frustum;
+  private final TileWindow window;
   private final TileHits hits;
   private final TriangularMesh owner;
-  private final MeshTree mesh;
-  private final double x;
-  private final double y;
-  private final double z;
   private final double error;
 
   MeshTile(final RayTile rays, final TileHits hits, final TriangularMesh owner, final MeshTree mesh) {
+    super(mesh, rays.frustum());
     this.rays = rays;
-    this.frustum = rays.frustum();
+    this.window = rays.window();
     this.hits = hits;
     this.owner = owner;
-    this.mesh = mesh;
-    this.x = frustum.originX();
-    this.y = frustum.originY();
-    this.z = frustum.originZ();
     this.error = mesh.error(x, y, z);
   }
 
@@ -55,21 +47,18 @@ final class MeshTile implements Bvh.Leaves {
   }
 
   @Override
-  public double visit(final int first, final int end) {
-    for (int place = first; place < end; place++) {
-      final int a = mesh.vertex(place, 0), b = mesh.vertex(place, 1), c = mesh.vertex(place, 2);
-      final double ax = mesh.coordinate(a) - x, ay = mesh.coordinate(a + 1) - y, az = mesh.coordinate(a + 2) - z;
-      final double bx = mesh.coordinate(b) - x, by = mesh.coordinate(b + 1) - y, bz = mesh.coordinate(b + 2) - z;
-      final double cx = mesh.coordinate(c) - x, cy = mesh.coordinate(c + 1) - y, cz = mesh.coordinate(c + 2) - z;
-      if (frustum.project(ax, ay, az, bx, by, bz, cx, cy, cz)) {
-        if (frustum.isPyramid()) {
-          test(place, ax, ay, az, bx, by, bz, cx, cy, cz);
-        } else {
-          testEach(place, a, b, c);
-        }
-      }
-    }
+  double farthest(final int visited) {
     return hits.farthest();
+  }
+
+  @Override
+  void test(final int place, final double ax, final double ay, final double az,
+      final double bx, final double by, final double bz, final double cx, final double cy, final double cz) {
+    if (frustum.isPyramid()) {
+      testTogether(place, ax, ay, az, bx, by, bz, cx, cy, cz);
+    } else {
+      testEach(place);
+    }
   }
 
   /**
@@ -77,7 +66,7 @@ final class MeshTile implements Bvh.Leaves {
    * triangle, which is the sign that the three edges must have for a hit. The signs of up to 64 rays are gathered in a mask
    * without a branch that the processor could guess wrong; then the few hits are looked at one by one.
    */
-  private void test(final int place, final double ax, final double ay, final double az,
+  private void testTogether(final int place, final double ax, final double ay, final double az,
       final double bx, final double by, final double bz, final double cx, final double cy, final double cz) {
     final double px = bx - ax, py = by - ay, pz = bz - az, qx = cx - ax, qy = cy - ay, qz = cz - az;
     final double nx = py * qz - pz * qy, ny = pz * qx - px * qz, nz = px * qy - py * qx;
@@ -85,10 +74,10 @@ final class MeshTile implements Bvh.Leaves {
     final double ex = s * (by * cz - bz * cy), ey = s * (bz * cx - bx * cz), ez = s * (bx * cy - by * cx);
     final double fx = s * (cy * az - cz * ay), fy = s * (cz * ax - cx * az), fz = s * (cx * ay - cy * ax);
     final double gx = s * (ay * bz - az * by), gy = s * (az * bx - ax * bz), gz = s * (ax * by - ay * bx);
-    final int width = frustum.lastColumn() - frustum.firstColumn() + 1, atOnce = 64 / width;
-    for (int row = frustum.firstRow(); row <= frustum.lastRow(); row += atOnce) {
-      final int first = row * RayTile.SIZE + frustum.firstColumn();
-      final int n = width * Math.min(atOnce, frustum.lastRow() - row + 1);
+    final int width = window.lastColumn() - window.firstColumn() + 1, atOnce = 64 / width;
+    for (int row = window.firstRow(); row <= window.lastRow(); row += atOnce) {
+      final int first = row * RayTile.SIZE + window.firstColumn();
+      final int n = width * Math.min(atOnce, window.lastRow() - row + 1);
       long mask = 0;
       for (int k = 0, i = first, column = 1; k < n; k++) {
         final double dx = rays.directionX(i), dy = rays.directionY(i), dz = rays.directionZ(i);
@@ -112,9 +101,10 @@ final class MeshTile implements Bvh.Leaves {
   }
 
   /** Rays with one direction. */
-  private void testEach(final int place, final int a, final int b, final int c) {
-    for (int row = frustum.firstRow(); row <= frustum.lastRow(); row++) {
-      for (int i = row * RayTile.SIZE + frustum.firstColumn(); i <= row * RayTile.SIZE + frustum.lastColumn(); i++) {
+  private void testEach(final int place) {
+    final int a = mesh.vertex(place, 0), b = mesh.vertex(place, 1), c = mesh.vertex(place, 2);
+    for (int row = window.firstRow(); row <= window.lastRow(); row++) {
+      for (int i = row * RayTile.SIZE + window.firstColumn(); i <= row * RayTile.SIZE + window.lastColumn(); i++) {
         final double sx = rays.startX(i), sy = rays.startY(i), sz = rays.startZ(i);
         offer(i, place, WatertightTest.distance(
             mesh.coordinate(a) - sx, mesh.coordinate(a + 1) - sy, mesh.coordinate(a + 2) - sz,

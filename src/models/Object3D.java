@@ -7,6 +7,7 @@ import java.awt.Color;
 import java.util.List;
 
 import acceleration.RayTile;
+import acceleration.TileWindow;
 import materials.Material;
 import primitives.BoundingBox;
 import tracer.Hit;
@@ -202,8 +203,9 @@ public abstract class Object3D {
 
   /** Offers the closest hits of the rays within the tile's window. */
   void closestHits(final RayTile rays, final TileHits hits) {
-    for (int row = rays.firstRow(); row <= rays.lastRow(); row++) {
-      for (int i = row * RayTile.SIZE + rays.firstColumn(); i <= row * RayTile.SIZE + rays.lastColumn(); i++) {
+    final TileWindow window = rays.window();
+    for (int row = window.firstRow(); row <= window.lastRow(); row++) {
+      for (int i = row * RayTile.SIZE + window.firstColumn(); i <= row * RayTile.SIZE + window.lastColumn(); i++) {
         hits.offer(i, distance(rays.startX(i), rays.startY(i), rays.startZ(i),
             rays.directionX(i), rays.directionY(i), rays.directionZ(i)), this);
       }

@@ -4,7 +4,7 @@ import static arguments.Arguments.direction;
 import static arguments.Arguments.finite;
 import static arguments.Arguments.wrong;
 
-import acceleration.RayTile;
+import acceleration.RayRounding;
 import models.Object3D;
 import primitives.Point3D;
 import primitives.Vector3D;
@@ -67,8 +67,9 @@ public final class Ray {
     this.startX = startX;
     this.startY = startY;
     this.startZ = startZ;
-    final double ux = RayTile.rounded(scale * x), uy = RayTile.rounded(scale * y), uz = RayTile.rounded(scale * z);
-    final double k = RayTile.toUnit(ux * ux + uy * uy + uz * uz);
+    final double ux = RayRounding.rounded(scale * x), uy = RayRounding.rounded(scale * y),
+        uz = RayRounding.rounded(scale * z);
+    final double k = RayRounding.toUnit(ux * ux + uy * uy + uz * uz);
     vx = (float) ux;
     vy = (float) uy;
     vz = (float) uz;
@@ -117,7 +118,7 @@ public final class Ray {
    */
   public static Ray towards(final double startX, final double startY, final double startZ,
       final double x, final double y, final double z) {
-    return new Ray(RayTile.rounded(startX), RayTile.rounded(startY), RayTile.rounded(startZ), x, y, z,
+    return new Ray(RayRounding.rounded(startX), RayRounding.rounded(startY), RayRounding.rounded(startZ), x, y, z,
         1 / Math.sqrt(x * x + y * y + z * z));
   }
 

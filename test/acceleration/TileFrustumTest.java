@@ -74,9 +74,9 @@ class TileFrustumTest {
         final int i = Tiles.anyRay(random, tile), column = i % RayTile.SIZE, row = i / RayTile.SIZE;
         final float[] box = boxOnRay(random, size, Tiles.start(tile, i), Tiles.direction(tile, i));
         assertTrue(tile.narrowTo(boundingBox(box)), () -> describe(tile, i, box));
-        assertTrue(tile.firstColumn() <= column && column <= tile.lastColumn()
-            && tile.firstRow() <= row && row <= tile.lastRow(), () -> describe(tile, i, box));
-        limited[0] += tile.lastColumn() - tile.firstColumn() + 1 < tile.columns() ? 1 : 0;
+        assertTrue(tile.window().firstColumn() <= column && column <= tile.window().lastColumn()
+            && tile.window().firstRow() <= row && row <= tile.window().lastRow(), () -> describe(tile, i, box));
+        limited[0] += tile.window().lastColumn() - tile.window().firstColumn() + 1 < tile.columns() ? 1 : 0;
       }
     });
     assertTrue(limited[0] > 200 || kind == Tiles.Kind.ANY || kind == Tiles.Kind.ALL_THE_SAME, () -> limited[0] + " windows");
@@ -189,9 +189,9 @@ class TileFrustumTest {
           final boolean inside = f.project(v[0] - f.originX(), v[1] - f.originY(), v[2] - f.originZ(), v[3] - f.originX(),
               v[4] - f.originY(), v[5] - f.originZ(), v[6] - f.originX(), v[7] - f.originY(), v[8] - f.originZ());
           final int column = i % RayTile.SIZE, row = i / RayTile.SIZE;
-          assertTrue(inside && f.firstColumn() <= column && column <= f.lastColumn() && f.firstRow() <= row
-              && row <= f.lastRow(), () -> describe(tile, i, v));
-          limited[0] += f.lastColumn() - f.firstColumn() + 1 < tile.columns() ? 1 : 0;
+          assertTrue(inside && f.window().firstColumn() <= column && column <= f.window().lastColumn()
+              && f.window().firstRow() <= row && row <= f.window().lastRow(), () -> describe(tile, i, v));
+          limited[0] += f.window().lastColumn() - f.window().firstColumn() + 1 < tile.columns() ? 1 : 0;
         }
       }
     });
@@ -295,8 +295,8 @@ class TileFrustumTest {
       }
       if (frustum.prepare(box)) {
         asked[0]++;
-        assertFalse(frustum.isOutside(box, 0), () -> describe(tile, corner, box));
-        assertTrue(frustum.nearest(box, 0) <= t * (1 + 1e-12), () -> describe(tile, corner, box));
+        assertFalse(frustum.sides().isOutside(box, 0), () -> describe(tile, corner, box));
+        assertTrue(frustum.sides().nearest(box, 0) <= t * (1 + 1e-12), () -> describe(tile, corner, box));
       }
     });
     assertTrue(asked[0] > 500 || kind == Tiles.Kind.ANY, () -> asked[0] + " points");
@@ -310,9 +310,9 @@ class TileFrustumTest {
       final TileFrustum frustum = tile.frustum();
       final Bvh inner = Bvh.over(near.clone(), 1, new int[1]);
       Bvh.over(wide.clone(), 1, new int[2]).closest(frustum, (first, end) -> {
-        final float before = frustum.nearest(near, 0);
+        final float before = frustum.sides().nearest(near, 0);
         inner.closest(frustum, (from, to) -> Double.POSITIVE_INFINITY);
-        assertEquals(before, frustum.nearest(near, 0));
+        assertEquals(before, frustum.sides().nearest(near, 0));
         return Double.POSITIVE_INFINITY;
       });
     });
@@ -334,7 +334,7 @@ class TileFrustumTest {
   void aBoxWithoutEndIsSeenByTheWholeTile() {
     final RayTile tile = Tiles.random(new Random(3), Tiles.Kind.PYRAMID, 1);
     assertTrue(tile.narrowTo(BoundingBox.UNBOUNDED));
-    assertEquals(tile.columns() - 1, tile.lastColumn() - tile.firstColumn());
-    assertEquals(tile.rows() - 1, tile.lastRow() - tile.firstRow());
+    assertEquals(tile.columns() - 1, tile.window().lastColumn() - tile.window().firstColumn());
+    assertEquals(tile.rows() - 1, tile.window().lastRow() - tile.window().firstRow());
   }
 }
