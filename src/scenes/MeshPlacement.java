@@ -25,7 +25,7 @@ final class MeshPlacement {
   /** Distance, relative to its size, from which on a mesh shows the rounding of its vertices. */
   private static final double FAR = 10_000;
 
-  /** Sizes of meshes from 2 to the power of minus this up to its opposite are far from the limits of floats. */
+  /** Exponent e such that sizes of meshes from 2 to the power −e to 2 to the power e are far from the limits of floats. */
   private static final int MODERATE = 80;
 
   private final MeshData data;
@@ -70,7 +70,7 @@ final class MeshPlacement {
     return vertices;
   }
 
-  /** How far placed points reach along the axes: in all, and from the origin. */
+  /** Extents of placed points along the axes: in total, and from the origin. */
   private record Reach(double extent, double farthest) {
 
     static Reach of(final double[] points, final ExactPlacement placement) {
@@ -97,7 +97,7 @@ final class MeshPlacement {
     return Math.max(Math.abs(p.x - q.x), Math.max(Math.abs(p.y - q.y), Math.abs(p.z - q.z)));
   }
 
-  /** Whether a placement takes all vertices to coordinates that floats hold; mostly the box shows it. */
+  /** Whether all placed vertices are within the range of floats; mostly the box decides that. */
   boolean isFinite(final ExactPlacement placement) {
     return Reach.of(box(), placement).isFinite() || Reach.of(vertices(), placement).isFinite();
   }
@@ -143,19 +143,19 @@ final class MeshPlacement {
         placement.shift().z - centre.z);
   }
 
-  /** The arrays about the centre of the mesh, and of a size about 1 if its own is near the limits of floats. */
+  /** The arrays about the centre of the mesh, scaled to a size of about 1 if its own is near the limits of floats. */
   MeshData aboutCentre() {
     final double[] centre = new double[3], coordinates = data.coordinates().clone();
     centre().get(centre);
     for (int i = 0; i < coordinates.length; i++) {
       final int k = i % 3;
-      // Vertices that no triangle has may be anywhere.
+      // Unused vertices may be anywhere.
       coordinates[i] = (Math.max(min[k], Math.min(max[k], coordinates[i])) - centre[k]) / unit();
     }
     return new MeshData(coordinates, data.corners(), data.normals(), data.texCoords());
   }
 
-  /** What is 1 in the arrays about the centre: a power of 2. */
+  /** The unit of the arrays about the centre: a power of 2. */
   private double unit() {
     return isModerate() ? 1 : Math.scalb(1.0, magnitude);
   }

@@ -5,7 +5,7 @@ import java.util.Random;
 /** Boxes of all kinds, six floats each, and where rays hit them: the linear scan that a tree is compared with. */
 final class Boxes {
 
-  /** What a random set of boxes is like. */
+  /** Kinds of random sets of boxes. */
   enum Kind { SCATTERED, CLUSTERED, EQUAL_CENTRES, EQUAL, FLAT, POINTS, NESTED, ALL_SCALES, GRID, HUGE_AND_TINY }
 
   final float[] numbers;
@@ -14,7 +14,7 @@ final class Boxes {
     this.numbers = numbers;
   }
 
-  /** Random boxes of a size of the order of 1, but for the kinds that have all sizes. */
+  /** Random boxes of sizes about 1, except for the kinds that have all sizes. */
   static Boxes random(final Random random, final Kind kind, final int count) {
     final float[] numbers = new float[6 * count];
     for (int i = 0; i < count; i++) {

@@ -25,7 +25,7 @@ class BvhTest {
 
   private static final int[] COUNTS = {1, 2, 3, 5, 17, 100, 1500};
 
-  /** A tree with the order that it has put its boxes in. */
+  /** A tree with the order of its boxes. */
   private record Tree(Boxes boxes, Bvh bvh, int[] order, int leaf) {
 
     static Tree over(final Boxes boxes, final int leaf) {
@@ -216,7 +216,7 @@ class BvhTest {
     assertEquals(n, tree.visited(new double[] {0, 0, 0}, new double[] {0, 0, 1}).cardinality());
   }
 
-  /** Places of the leaves, first to end, which a serial builder written down once more finds. */
+  /** The leaves, from first to end, that an independent serial builder finds. */
   private static final class Serial {
 
     final SortedMap<Integer, Integer> leaves = new TreeMap<>();

@@ -15,7 +15,7 @@ import trials.Trials;
 /** The rays of a pencil are those of single rays, and no ray strays farther from the derived grid than its margin. */
 class PencilTest {
 
-  /** A camera of random position, orientation and opening, a resolution, and a tile somewhere in its picture. */
+  /** A camera of random position, orientation and angle of view, a resolution, and a tile somewhere in its picture. */
   private static final class Shot {
 
     final double[] start = new double[3];
@@ -45,7 +45,7 @@ class PencilTest {
       tile.close();
     }
 
-    /** An orthonormal frame: any one, or one along the axes. */
+    /** An orthonormal frame: arbitrary, or along the axes. */
     private void orient(final Random random) {
       if (random.nextInt(4) == 0) {
         for (int k = 0; k < 3; k++) {

@@ -21,7 +21,7 @@ import trials.Trials;
 /** What a ray of a tile hits is never reported to lie outside the tile's frustum. */
 class TileFrustumTest {
 
-  /** What lengths are about: mostly 1, sometimes far from it. */
+  /** The order of magnitude of lengths: mostly 1, sometimes far from it. */
   private static double size(final Random random) {
     return random.nextInt(4) > 0 ? 1 : random.nextBoolean() ? 1e-25 : 1e25;
   }
@@ -199,7 +199,7 @@ class TileFrustumTest {
         () -> hit[0] + " triangles, " + limited[0] + " windows");
   }
 
-  /** A triangle about a point of a ray, of any size and shape, perhaps reaching behind the start. */
+  /** A triangle about a point of a ray, of any size and shape, possibly extending behind the start. */
   private static float[] triangleOnRay(final Random random, final double unit, final double[] start,
       final double[] direction) {
     final double t = unit * Math.pow(10, 6 * random.nextDouble() - 3), size = t * Math.pow(10, 6 * random.nextDouble() - 3);

@@ -5,7 +5,7 @@ import java.util.Random;
 /** Tiles of random rays, of all kinds that a ray generator or a transformation can make. */
 final class Tiles {
 
-  /** What the rays of a tile are like; the last kind has nothing in common. */
+  /** Kinds of tiles; the rays of the last kind have nothing in common. */
   enum Kind { PYRAMID, WIDE, NARROW, FISH_EYE, BENT, PRISM, SLANTED_PRISM, ROUNDED_PRISM, SKEWED, ALL_THE_SAME, ANY }
 
   private final Random random;
@@ -44,9 +44,9 @@ final class Tiles {
   }
 
   /**
-   * A tile of random extent; some of its pixels have no ray, if so wanted.
+   * A tile of random extent, optionally with pixels without a ray.
    *
-   * @param size what lengths are about
+   * @param size order of magnitude of lengths
    */
   static RayTile random(final Random random, final Kind kind, final double size) {
     final RayTile tile = new RayTile();

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import org.junit.jupiter.api.Test;
 
-/** A ray within the traversal of another one. */
+/** Nested traversals. */
 class TraversalStackTest {
 
   private static final int BOXES = 100;
@@ -23,7 +23,7 @@ class TraversalStackTest {
     return Bvh.over(boxes, 1, new int[BOXES]);
   }
 
-  /** Asks the row, and at one visit in the middle the row again, so many levels deep; returns its own visits. */
+  /** Traverses the row, and at one visit in the middle the row again, to a depth; returns its own visits. */
   private static int closest(final int level, final boolean fails) {
     final int[] own = new int[1];
     ROW.closest(-1, 0, 0, 1, 0, 0, (first, end) -> {

@@ -134,7 +134,7 @@ class ArgumentsTest {
     assertThrows(MissingResourceException.class, () -> Arguments.wrong("there is no such message"));
   }
 
-  /** Both languages have the same messages with the same places to fill in; no apostrophe swallows one of them. */
+  /** Both languages have the same messages with the same placeholders, none of them disabled by an apostrophe. */
   @Test
   void messagesOfBothLanguagesCorrespond() {
     final ResourceBundle english = ResourceBundle.getBundle("arguments.messages", Locale.ROOT);

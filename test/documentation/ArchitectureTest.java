@@ -63,7 +63,7 @@ class ArchitectureTest {
     assertEquals(text(documented()), text(found()));
   }
 
-  /** The pairs that the assignment itself makes: a generator keeps its camera, a hit its object. */
+  /** The cycles that the assignment itself makes: a generator keeps its camera, a hit its object. */
   @Test
   void noTwoPackagesNeedEachOtherExceptWhereTheAssignmentSaysSo() throws Exception {
     final Map<String, Set<String>> found = found();

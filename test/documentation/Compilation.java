@@ -26,7 +26,7 @@ final class Compilation {
   private final Path folder;
   private final List<Path> sources = new ArrayList<>();
 
-  /** Of files that are written into this folder, as are the classes. */
+  /** The sources and the classes are written into a folder. */
   Compilation(final Path folder) {
     this.folder = folder;
   }

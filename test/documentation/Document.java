@@ -8,7 +8,7 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** A text of the project, such as the README, and what can be asked of it. */
+/** A text of the project, such as the README, and queries about it. */
 final class Document {
 
   private final String text;
@@ -17,7 +17,7 @@ final class Document {
     text = Files.readString(Path.of(name));
   }
 
-  /** What the groups of a pattern match, one text for each match. */
+  /** The first group of each match of a pattern. */
   List<String> all(final String pattern) {
     return Pattern.compile(pattern, Pattern.MULTILINE).matcher(text).results()
         .map(Document::group).collect(Collectors.toList());

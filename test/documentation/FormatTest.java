@@ -16,7 +16,7 @@ import java.util.stream.Stream;
 
 import org.junit.jupiter.api.Test;
 
-/** Texts keep the rules of {@code .editorconfig}. */
+/** Text files follow the rules of {@code .editorconfig}. */
 class FormatTest {
 
   private static final List<String> FOLDERS =
@@ -44,7 +44,7 @@ class FormatTest {
         .filter(file -> !isForeign(file)).sorted().collect(Collectors.toList());
   }
 
-  /** What NetBeans writes, and the programs of students, which lie in no package. */
+  /** Files written by NetBeans, and the programs of students, which are in no package. */
   private static boolean isForeign(final Path file) {
     return file.startsWith(Path.of("nbproject", "private")) || file.endsWith("build-impl.xml")
         || file.endsWith("genfiles.properties") || Path.of("src").equals(file.getParent());

@@ -12,7 +12,7 @@ import java.util.List;
 
 import org.junit.jupiter.api.Test;
 
-/** The report that is handed in is what its source gives: {@code ant informe} writes into it which source it was made of. */
+/** The report that is handed in was made of its source: {@code ant informe} stores a hash of the source in it. */
 class InformeTest {
 
   /** In the hand-in the report lies beside the project. */

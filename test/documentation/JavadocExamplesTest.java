@@ -33,7 +33,7 @@ class JavadocExamplesTest {
     }
   }
 
-  /** The package is that of the file, so that an example may name what its readers can. */
+  /** The package is that of the file, so that an example can use what its readers can. */
   private static String source(final Path file, final Path root, final String example) {
     final String place = root.relativize(file.getParent()).toString().replace('/', '.').replace('\\', '.');
     final String body = CLASS.matcher(example).find() ? example

@@ -15,7 +15,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The Spanish page's programs compile without a warning and make the picture that it promises. */
+/** The programs of the Spanish page compile without warnings and make the promised picture. */
 class LeemeExamplesTest {
 
   @TempDir

@@ -24,7 +24,7 @@ import primitives.Vector3D;
 import tracer.Hit;
 import tracer.Ray;
 
-/** The examples of the README compile without a warning, and do what is said of them. */
+/** The examples of the README compile without warnings, and do what it says. */
 class ReadmeExamplesTest {
 
   private static final Pattern CLASS = Pattern.compile("^public class (\\w+) ", Pattern.MULTILINE);

@@ -19,7 +19,7 @@ import java.util.stream.Stream;
 
 import org.junit.jupiter.api.Test;
 
-/** The README agrees with what is there. */
+/** The README agrees with the project. */
 class ReadmeTest {
 
   private static final Path SCENES = Path.of("scenes");

@@ -35,9 +35,10 @@ import upnatray.Image;
 import upnatray.RenderJob;
 
 /**
- * The page of the scene language has every element, and its pictures are those of its snippets. After a change, write the
- * pictures anew by {@code ant test-single -Dtest.includes=documentation/SceneLanguageTest.java
- * -Dtest.jvmargs="-ea -Dlanguage.write=true"}, and look at them before committing.
+ * The page of the scene language covers every element, and its pictures are those of its snippets. After a change, write
+ * the pictures anew by
+ * {@code ant test-single -Dtest.includes=documentation/SceneLanguageTest.java -Dtest.jvmargs="-ea -Dlanguage.write=true"},
+ * and look at them before committing.
  */
 class SceneLanguageTest {
 

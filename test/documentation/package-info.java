@@ -1,2 +1,2 @@
-/** The documents of the project keep their word: their examples compile and run, their links lead somewhere. */
+/** The documents of the project are right: their examples compile and run, and their links lead somewhere. */
 package documentation;

@@ -10,7 +10,7 @@ final class Chess {
   /** The Immortal Game, Anderssen against Kieseritzky, London 1851: mate (in Forsyth's notation: ranks 8 to 1). */
   private static final String POSITION = "r1bk3r/p2pBpNp/n4n2/1p1NP2P/6P1/3P4/P1P1K3/q5b1";
 
-  /** Looks: of the white pieces, the black ones, the light and the dark squares, and the frame. */
+  /** Colours or materials: of the white and the black pieces, the light and the dark squares, and the frame. */
   private static final String[] COLOURS = {"255 244 220", "196 62 58", "232 208 168", "150 104 74", "70 46 40"};
   private static final String[] MATERIALS = {"ivory", "rosewood", "maple", "walnut", "ebony"};
 

@@ -42,12 +42,12 @@ enum ExampleFile {
     return path.toString().endsWith(".zip");
   }
 
-  /** What the program writes. */
+  /** The output of the program. */
   String fromProgram() {
     return program.get();
   }
 
-  /** What the file holds; of a zip file, its first entry. */
+  /** The contents of the file; of a ZIP file, its first entry. */
   String fromFile() throws IOException {
     if (!isZipped()) {
       return Files.readString(path);
@@ -58,7 +58,7 @@ enum ExampleFile {
     }
   }
 
-  /** Writes the file anew. */
+  /** Rewrites the file. */
   void write() throws IOException {
     final byte[] bytes = fromProgram().getBytes(StandardCharsets.UTF_8);
     Files.write(path, isZipped() ? zipped(bytes) : bytes);

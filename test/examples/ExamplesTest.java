@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** The files that programs wrote are what the programs write, and show what they are said to show. */
+/** The generated files are up to date, and show what their comments say. */
 class ExamplesTest {
 
   private static final boolean WRITE = Boolean.getBoolean("examples.write");

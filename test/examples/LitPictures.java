@@ -60,7 +60,7 @@ public final class LitPictures {
   private LitPictures() {
   }
 
-  /** Writes the PNG files, for each package into its folder doc-files within the folder that is the only argument. */
+  /** Writes the PNG files into the folders doc-files of the packages, below the folder given as the only argument. */
   public static void main(final String... arguments) throws IOException {
     for (final Map.Entry<String, Material> ball : materials().entrySet()) {
       write(picture(ball.getValue(), daylight()), Path.of(arguments[0], "materials", "doc-files"), ball.getKey());

@@ -24,7 +24,7 @@ class LitPicturesTest {
   private static final Pattern PICTURE = Pattern.compile("<img src=\"doc-files/(\\w+)\\.png\" width=\"320\"");
   /** A title and a year, as in: "Models of light reflection", SIGGRAPH 1977. */
   private static final Pattern SOURCE = Pattern.compile("\"[^\"]+\",\\s[^\"]*\\d{4}");
-  /** The course's own kind of light. */
+  /** The kind of light that is the course's own. */
   private static final Set<String> WITHOUT_SOURCE = Set.of("Directional");
 
   @TempDir
@@ -49,7 +49,7 @@ class LitPicturesTest {
     }
   }
 
-  /** Neither black nor burnt. */
+  /** Neither black nor overexposed. */
   private static void assertShowsALitBall(final BufferedImage image) {
     assertEquals(320, image.getWidth());
     int lit = 0, burnt = 0;

@@ -19,7 +19,7 @@ final class MeshText {
     return ++points;
   }
 
-  /** Adds a facet, its points in counter-clockwise order seen from outside; points that follow themselves count once. */
+  /** Adds a facet, its points counter-clockwise seen from outside; of repeated points one counts. */
   void facet(final int... numbers) {
     text.append('f');
     for (int i = 0; i < numbers.length; i++) {

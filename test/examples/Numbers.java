@@ -12,7 +12,7 @@ final class Numbers {
   private Numbers() {
   }
 
-  /** A number with at most so many digits after the point, and no zeros at its end. */
+  /** A number with a maximum number of decimals, without trailing zeros. */
   static String text(final double x, final int digits) {
     final BigDecimal rounded = BigDecimal.valueOf(x).setScale(digits, RoundingMode.HALF_EVEN);
     return rounded.signum() == 0 ? "0" : rounded.stripTrailingZeros().toPlainString();

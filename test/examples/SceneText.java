@@ -12,7 +12,7 @@ final class SceneText {
    * Begins a scene.
    *
    * @param name its title
-   * @param comment what a reader of the file should know, lines separated by line feeds
+   * @param comment a comment for readers of the file, its lines separated by line feeds
    */
   SceneText(final String name, final String comment) {
     text.append("""

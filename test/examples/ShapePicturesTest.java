@@ -23,7 +23,7 @@ class ShapePicturesTest {
   private static final Pattern PICTURE = Pattern.compile("<img src=\"doc-files/(\\w+)\\.png\"");
   /** A title and a year, as in: "Sphere tracing", The Visual Computer 12, 1996. */
   private static final Pattern SOURCE = Pattern.compile("\"[^\"]+\",\\s[^\"]*\\d{4}");
-  /** They lead to the objects that they ask. */
+  /** Their documentation refers to that of their objects. */
   private static final Set<String> WITHOUT_SOURCE = Set.of("Group3D", "TriangularMesh");
 
   @TempDir

@@ -6,8 +6,8 @@ import static examples.Numbers.text;
 import static examples.Numbers.triple;
 
 /**
- * Balls as a sunflower sets its seeds: each a golden angle further round than the one before, and so far out that all have
- * the same room (H. Vogel, "A better way to construct the sunflower head", Mathematical Biosciences 44, 1979).
+ * Balls as a sunflower sets its seeds: each a golden angle further round than the one before, and at such a distance that
+ * all have the same space (H. Vogel, "A better way to construct the sunflower head", Mathematical Biosciences 44, 1979).
  */
 final class Spiral {
 

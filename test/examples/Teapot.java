@@ -3,12 +3,12 @@ package examples;
 /**
  * The Utah teapot: 32 bicubic Bézier patches, cut into facets.
  *
- * <p>The control points are those that Martin Newell published (M. Newell, "The Utilization of Procedure Models in Digital
- * Image Synthesis", PhD thesis, University of Utah, 1975; listed in F. Crow, "The Origins of the Teapot", IEEE Computer
- * Graphics and Applications 7(1), 1987), flattened by the factor 1.3 and with a bottom, as has become usual. Lid and body
- * turn about the axis, so that profiles are enough to describe them; each quarter of a turn is one patch, in which
+ * <p>The control points are those that Martin Newell published (M. Newell, "The Utilization of Procedure Models in
+ * Digital Image Synthesis", PhD thesis, University of Utah, 1975; listed in F. Crow, "The Origins of the Teapot", IEEE
+ * Computer Graphics and Applications 7(1), 1987), flattened by the factor 1.3 and with a bottom, as usual today. Lid and
+ * body turn about the axis, so that profiles are enough to describe them; each quarter of a turn is one patch, in which
  * Newell takes 0.56 for the circle. Handle and spout are halves of tubes, the other half is a mirror image. The parts
- * meet without being joined: the teapot is no closed mesh.
+ * touch without being joined: the teapot is not a closed mesh.
  */
 final class Teapot {
 

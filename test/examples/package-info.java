@@ -2,8 +2,8 @@
  * The programs that wrote the larger files of the folder {@code scenes}: meshes, and scenes of hundreds of objects;
  * and {@link examples.ShapePictures}, which draws for the documentation.
  *
- * <p>{@link examples.ExamplesTest} holds each file against what its program writes. To change a file, change its program,
- * and let the test write it:
+ * <p>{@link examples.ExamplesTest} compares each file with the output of its program. To change a file, change its
+ * program, and let the test write it:
  *
  * <p>{@code ant test-single -Dtest.includes=examples/ExamplesTest.java -Dtest.jvmargs="-ea -Dexamples.write=true"}.
  */

@@ -190,7 +190,7 @@ class InspectorTest {
     assertTrue(intersection.failure().contains("StackOverflowError"), intersection.failure());
   }
 
-  /** A user-written shape with a mistake. */
+  /** A user-written shape with a bug. */
   private abstract static class Wrong extends Object3D {
 
     Wrong() {

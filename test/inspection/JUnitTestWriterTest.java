@@ -40,7 +40,7 @@ class JUnitTestWriterTest {
   @TempDir
   Path folder;
 
-  /** Compiles methods as those of a class in a package of its own, and makes an object of it. */
+  /** Compiles methods as members of a class in its own package, and instantiates it. */
   private Object compiled(final Iterable<String> methods) throws Exception {
     final Path source = folder.resolve("CopiedTest.java");
     Files.writeString(source, "package copied;\n\npublic class CopiedTest {\n\n" + String.join("\n", methods) + "}\n");
@@ -56,7 +56,7 @@ class JUnitTestWriterTest {
     }
   }
 
-  /** Runs what was copied, and nothing that a tool such as one that measures coverage has added to the class. */
+  /** Runs the copied methods, and none that a tool, such as one for coverage, has added to the class. */
   private static int run(final Object tests) throws ReflectiveOperationException {
     int count = 0;
     for (final Method method : tests.getClass().getDeclaredMethods()) {

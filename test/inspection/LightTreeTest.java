@@ -80,7 +80,10 @@ class LightTreeTest {
     return new RadianceRGB(a.getR() * b.getR(), a.getG() * b.getG(), a.getB() * b.getB());
   }
 
-  /** Every outcome of a light and fate of a ray occurs, and all numbers multiply and add up to the pixel of the picture. */
+  /**
+   * Every outcome of a light and every fate of a ray occurs, and all numbers multiply and add up to the pixel of the
+   * picture.
+   */
   @Test
   void theTreeOfEveryPixelAddsUpToThePicture() {
     final SceneFile scene = lit(new Perspective(45, 4f / 3));

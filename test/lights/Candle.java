@@ -4,10 +4,10 @@ import primitives.Point3D;
 import radiometry.RadianceRGB;
 import radiometry.SpectrumRGB;
 
-/** A light as a student would write it: one that does not grow without bound near by. */
+/** A light as a student would write it, which stays bounded near by. */
 public class Candle extends Light {
 
-  /** Where it stands, its colour and its power. */
+  /** Position, spectrum and power. */
   public Candle(final Point3D S, final SpectrumRGB spectrum, final float power) {
     super(S, spectrum, power);
   }

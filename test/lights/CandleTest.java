@@ -13,7 +13,7 @@ import primitives.Vector3D;
 import radiometry.RadianceRGB;
 import radiometry.SpectrumRGB;
 
-/** A light of one's own obeys the laws, and is named if it is wrong. */
+/** A user-written light obeys the laws, and is named in the message if it fails. */
 class CandleTest implements LightContract {
 
   private static final SpectrumRGB WARM = new SpectrumRGB(0.5f, 0.375f, 0.125f);
@@ -31,7 +31,7 @@ class CandleTest implements LightContract {
     assertEquals(new Vector3D(), light().getIncidenceDirection(S));
   }
 
-  /** A light of more than one point overrides from where it lights. */
+  /** An extended light overrides the point from which a point is lit. */
   @Test
   void aLightHasAsManyPointsAsItLikes() {
     final Light tube = new Candle(S, WARM, 1) {

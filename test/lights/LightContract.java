@@ -14,8 +14,8 @@ import radiometry.RadianceRGB;
 import trials.Trials;
 
 /**
- * The laws that every {@link Light} must obey, as tests. The test of a light implements this interface and so inherits them;
- * it has to write one method:
+ * The laws that every {@link Light} must obey, as tests. The test of a light implements this interface and so inherits
+ * them; it has to implement one method:
  *
  * <pre>{@code
  * class BulbTest implements LightContract {
@@ -25,15 +25,15 @@ import trials.Trials;
  * }
  * }</pre>
  *
- * <p>A light whose field is much larger or smaller than the unit overrides {@link #size}; one that breaks the law of energy
- * on purpose, {@link #conservesEnergy}.
+ * <p>A light whose field is much larger or smaller than a unit overrides {@link #size}; one that violates conservation of
+ * energy on purpose, {@link #conservesEnergy}.
  */
 public interface LightContract {
 
   /**
    * The light to be tested.
    *
-   * @return a light, lit points of which are about {@link #size} around its position
+   * @return a light that lights points within about {@link #size} of its position
    */
   Light light();
 
@@ -55,7 +55,7 @@ public interface LightContract {
     return true;
   }
 
-  /** A point about the light, now and then very near it. */
+  /** A point about the light, sometimes very near it. */
   private Point3D point(final Random random) {
     final double far = random.nextInt(4) == 0 ? 1e-3 * size() : size();
     final Point3D S = light().getPosition();
@@ -63,7 +63,7 @@ public interface LightContract {
         (float) (S.z + far * random.nextGaussian()));
   }
 
-  /** Irradiance is there, in each channel at least 0 and finite, and the same when asked again. */
+  /** Irradiance is not null, at least 0 and finite in each channel, and the same when computed again. */
   @Test
   default void irradianceIsNotNegative() {
     final int[] lit = {0};
@@ -77,7 +77,7 @@ public interface LightContract {
     assertTrue(lit[0] > 20, () -> "only " + lit[0] + " of 1000 points are lit");
   }
 
-  /** The light comes from the point that is said, along a vector of unit length. */
+  /** The light comes from its stated point, along a unit vector. */
   @Test
   default void directionsAreUnitVectorsTowardsTheLight() {
     Trials.of(1000, random -> {
@@ -94,7 +94,7 @@ public interface LightContract {
     });
   }
 
-  /** What renderers are given is what everybody is given. */
+  /** The method for renderers agrees with the public ones. */
   @Test
   default void renderersSeeTheSameLight() {
     final Incidence incidence = new Incidence();

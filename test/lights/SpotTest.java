@@ -42,7 +42,7 @@ class SpotTest implements LightContract {
         cone(45).toString());
   }
 
-  /** 2π(1 − cos A) has no digit left for such a cone; A² π has all. */
+  /** For such a cone 2π(1 − cos A) loses all digits; A² π does not. */
   @Test
   void narrowConesHaveTheirSolidAngle() {
     for (final float aperture : new float[] {1e-3f, 1e-6f, 1e-12f}) {

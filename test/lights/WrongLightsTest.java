@@ -11,7 +11,7 @@ import org.junit.jupiter.api.function.Executable;
 import primitives.Point3D;
 import radiometry.SpectrumRGB;
 
-/** Wrong values of lights are refused with name and value. */
+/** Invalid arguments of lights are refused with name and value. */
 class WrongLightsTest {
 
   private static final SpectrumRGB WHITE = new SpectrumRGB(0.25f, 0.5f, 0.25f);

@@ -1,6 +1,6 @@
 package materials;
 
-/** The part of the light that a material scatters to a viewer, ∫ f |n·wi| dωi, by two quadratures. */
+/** The fraction of light that a material scatters to a viewer, ∫ f |n·wi| dωi, by two quadratures. */
 final class Albedo {
 
   private static final int RINGS = 600;

@@ -17,7 +17,7 @@ import primitives.Point3D;
 import radiometry.ReflectanceRGB;
 import radiometry.SpectrumRGB;
 
-/** What renderers call allocates nothing, even before the code is compiled. */
+/** The methods for renderers allocate nothing, even before they are compiled. */
 class AllocationTest {
 
   private static final ReflectanceRGB HALF = new ReflectanceRGB(0.5f, 0.5f, 0.5f);

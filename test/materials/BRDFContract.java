@@ -15,7 +15,7 @@ import trials.Trials;
 
 /**
  * The laws that every {@link BRDF} must obey, as tests. The test of a material implements this interface and so inherits
- * them; it has to write one method:
+ * them; it has to implement one method:
  *
  * <pre>{@code
  * class PlasterTest implements BRDFContract {
@@ -25,7 +25,7 @@ import trials.Trials;
  * }
  * }</pre>
  *
- * <p>A material that breaks a law on purpose, as a drawing does, overrides {@link #isReciprocal} or
+ * <p>A material that violates a law on purpose, as cartoon shading does, overrides {@link #isReciprocal} or
  * {@link #conservesEnergy}.
  */
 public interface BRDFContract {
@@ -55,7 +55,7 @@ public interface BRDFContract {
     return true;
   }
 
-  /** How exactly f is reciprocal: vectors in floats are uncertain by 6e-8, and steep lobes multiply that. */
+  /** Compares up to a relative tolerance: vectors in floats are uncertain by 6e-8, and steep lobes multiply that. */
   private static void assertSame(final double[] expected, final double[] actual, final double tolerance) {
     for (int c = 0; c < 3; c++) {
       final double e = expected[c], a = actual[c];
@@ -64,7 +64,7 @@ public interface BRDFContract {
     }
   }
 
-  /** Radiance is there, in each channel at least 0, and in proportion to the irradiance. */
+  /** Radiance is not null, at least 0 in each channel, and proportional to the irradiance. */
   @Test
   default void radianceIsNotNegative() {
     Trials.of(2000, random -> {
@@ -81,7 +81,7 @@ public interface BRDFContract {
     });
   }
 
-  /** Renderers get what everybody gets. */
+  /** The method for renderers agrees with the public one. */
   @Test
   default void renderersSeeTheSameMaterial() {
     Trials.of(2000, random -> {
@@ -94,7 +94,7 @@ public interface BRDFContract {
     });
   }
 
-  /** Light from below the surface, or a viewer there, shows nothing. */
+  /** Nothing is reflected of light from below the surface, or towards a viewer there. */
   @Test
   default void nothingIsSeenFromBelow() {
     Trials.of(500, random -> {
@@ -104,7 +104,7 @@ public interface BRDFContract {
     });
   }
 
-  /** The path of light can be reversed. */
+  /** Paths of light can be reversed. */
   @Test
   default void theBrdfIsReciprocal() {
     Trials.of(isReciprocal() ? 3000 : 0, random -> {

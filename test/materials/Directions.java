@@ -16,7 +16,7 @@ final class Directions {
     return polar(Math.acos(z), phi);
   }
 
-  /** A direction within 90 degrees of n, now and then hardly so. */
+  /** A direction within 90 degrees of n, sometimes just barely. */
   static double[] above(final double[] n, final Random random) {
     final double[] d = random(random);
     final double cosine = dot(n, d), side = cosine < 0 ? -1 : 1, low = random.nextInt(5) == 0 ? 0.99 * cosine : 0;
@@ -34,7 +34,7 @@ final class Directions {
     return new double[] {Math.sin(theta) * Math.cos(phi), Math.sin(theta) * Math.sin(phi), Math.cos(theta)};
   }
 
-  /** The direction of which the surface makes a mirror image of d. */
+  /** The mirrored direction of d. */
   static double[] mirrored(final double[] d, final double[] n) {
     final double c = 2 * dot(n, d);
     return unit(c * n[0] - d[0], c * n[1] - d[1], c * n[2] - d[2]);
@@ -57,7 +57,7 @@ final class Directions {
     return new Vector3D((float) d[0], (float) d[1], (float) d[2]);
   }
 
-  /** f in the three channels, as renderers have it: what was written before does not matter. */
+  /** f in the three channels, by the method for renderers, whatever was written before. */
   static double[] f(final Material material, final double[] wi, final double[] wo, final double[] n, final boolean outside) {
     final SurfaceInteraction interaction = new SurfaceInteraction();
     interaction.setView(n[0], n[1], n[2], wo[0], wo[1], wo[2], outside);

@@ -20,7 +20,7 @@ class DistributionsTest {
   private static final Map<String, Function<Float, NormalDistributionFunction>> NDFS = Map.of("Blinn", Blinn::new,
       "Horn", Horn::new, "Torrance", Torrance::new, "GGX", GGX::new, "Beckmann", Beckmann::new);
 
-  /** Up to which width β has its meaning. */
+  /** Greatest width up to which β is the angle of half value. */
   private static final Map<String, Float> LIMITS = Map.of("Blinn", 89.9f, "Horn", 44.9f, "Torrance", 90f, "GGX", 90f,
       "Beckmann", 89f);
 
@@ -111,7 +111,7 @@ class DistributionsTest {
     assertEquals(Math.log(2) / (Math.PI * b * b), density(new Torrance(beta), 0), 1e-5 * density(new Torrance(beta), 0));
   }
 
-  /** Near the normal they live by the sine: a cosine in floats, which has no digit left of 1 − cos θ, changes nothing. */
+  /** Near the normal they depend on the sine: a cosine in floats, for which 1 − cos θ is lost, changes nothing. */
   @Test
   void narrowDistributionsLiveByTheSine() {
     NDFS.forEach((name, ndf) -> {
@@ -200,7 +200,7 @@ class DistributionsTest {
     });
   }
 
-  /** A distribution of one's own: all directions within β, equally. */
+  /** A user-written distribution: all directions within β equally likely. */
   @Test
   void aDistributionOfOnesOwnWorksInMaterials() {
     final NormalDistributionFunction cap = new NormalDistributionFunction(10) {

@@ -4,8 +4,8 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 
 /**
- * The formulas of lobes with the {@link GGX} distribution as they stand in the specification, in BigDecimal: roots are the
- * only functions that they need.
+ * The formulas of lobes with the {@link GGX} distribution as they stand in the specification, in BigDecimal: square roots
+ * are the only functions needed.
  */
 final class ExactMaterials {
 

@@ -16,7 +16,7 @@ class ExactMaterialsTest {
   private static final float[] BETAS = {0.1f, 1, 5, 20, 60, 90};
   private static final ReflectanceRGB KD = new ReflectanceRGB(0.25f, 0.5f, 0), KS = new ReflectanceRGB(0.5f, 0.125f, 0.75f);
 
-  /** A pair of directions, mostly such that the lobe is seen. */
+  /** A pair of directions, mostly within the lobe. */
   private static double[][] pair(final java.util.Random random, final float beta) {
     final double[] n = Directions.random(random), wi = Directions.above(n, random);
     final double spread = 2 * Math.toRadians(beta) * random.nextDouble();

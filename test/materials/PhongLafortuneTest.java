@@ -34,7 +34,7 @@ class PhongLafortuneTest implements BRDFContract {
     assertEquals((q + 2) / (8 * Math.PI * Math.cos(1) * Math.cos(1)), Directions.f(brdf(), wi, wo, n, true)[0], 1e-9);
   }
 
-  /** In the open interface vectors may have any length; that is what floats make of unit vectors. */
+  /** The public methods accept vectors of any length, as unit vectors in floats are not exact. */
   @Test
   void lengthsOfVectorsDoNotMatter() {
     final double[] wi = Directions.unit(0.3, 0.4, 0.5), wo = Directions.unit(-0.2, -0.5, 0.6);

@@ -68,7 +68,7 @@ class RoughMaterialsTest {
     assertEquals(factor.getB(), albedo[2], tolerance * factor.getB(), rough::toString);
   }
 
-  /** The lobe that the coat of Ashikhmin and Shirley shows is what is left without the light from below. */
+  /** The lobe of the coat of Ashikhmin and Shirley is the difference to the light from below. */
   @Test
   void theCoatTendsToTheMirrorToo() {
     final ReflectanceRGB faint = new ReflectanceRGB(1e-6f, 1e-6f, 1e-6f), ks = new ReflectanceRGB(0.9f, 0.5f, 0.1f);

@@ -28,7 +28,7 @@ import trials.Trials;
 
 class TextureTest {
 
-  /** As many different texels as there are. */
+  /** An image whose texels all differ. */
   private static BufferedImage image(final int width, final int height) {
     final BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB);
     for (int y = 0; y < height; y++) {
@@ -39,7 +39,7 @@ class TextureTest {
     return image;
   }
 
-  /** What comes back of an image that is written and read again. */
+  /** An image, written and read again. */
   private static BufferedImage file(final BufferedImage image, final String format) throws IOException {
     final ByteArrayOutputStream out = new ByteArrayOutputStream();
     assertTrue(ImageIO.write(image, format, out), format);
@@ -83,7 +83,7 @@ class TextureTest {
     assertEquals(image.getRGB(3, 0), texture.getARGB(Math.nextDown(1.0), Math.nextDown(1.0)));
   }
 
-  /** What is no place has some texel, but never an exception. */
+  /** Coordinates that are not finite give some texel, but never an exception. */
   @Test
   void coordinatesNeedNotBeNumbers() {
     final Texture texture = new Texture(image(3, 3));
@@ -212,7 +212,7 @@ class TextureTest {
     assertTexel(0, 0, 0, 255, file(blackAndWhite, "png"), 0.1, 0.5);
   }
 
-  /** The numbers count, not the colour that a profile would make of them. */
+  /** The stored numbers count, not the colours that a profile makes of them. */
   @Test
   void profilesAreIgnored() {
     final ColorSpace linear = new ICC_ColorSpace(ICC_Profile.getInstance(ColorSpace.CS_LINEAR_RGB));

@@ -8,7 +8,7 @@ import radiometry.ReflectanceRGB;
 public class Toon extends BRDF {
   private final ReflectanceRGB k;
 
-  /** The colour. */
+  /** The reflectance. */
   public Toon(final ReflectanceRGB k) {
     this.k = k;
   }

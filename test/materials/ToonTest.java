@@ -15,7 +15,7 @@ import primitives.Vector3D;
 import radiometry.RadianceRGB;
 import radiometry.ReflectanceRGB;
 
-/** A material of one's own obeys the laws that it does not decline, and is named if it is wrong. */
+/** A user-written material obeys the laws that it does not opt out of, and is named in the message if it fails. */
 class ToonTest implements BRDFContract {
 
   private static final double[] N = {0, 0, 1};
@@ -65,7 +65,7 @@ class ToonTest implements BRDFContract {
         new double[] {interaction.radianceR(), interaction.radianceG(), interaction.radianceB()}, 1e-6);
   }
 
-  /** So flat that in floats, n·wi is 0: the promise that it is positive holds all the same, by leaving the light out. */
+  /** Directions so grazing that n·wi is 0 in floats are left out, so that n·wi is always positive. */
   @Test
   void lightAlongTheSurfaceIsLeftOut() {
     final double[] n = Directions.unit(0.3, 0.5, 0.7), flat = Directions.unit(0.5, -0.3, 0), above = {0, 0, 1};

@@ -16,7 +16,7 @@ import primitives.Vector3D;
 import radiometry.RadianceRGB;
 import radiometry.ReflectanceRGB;
 
-/** Wrong values of materials are refused with name and value. */
+/** Invalid arguments of materials are refused with name and value. */
 class WrongMaterialsTest {
 
   private static final ReflectanceRGB HALF = new ReflectanceRGB(0.5f, 0.5f, 0.5f);

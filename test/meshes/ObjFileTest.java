@@ -54,7 +54,7 @@ class ObjFileTest {
     assertEquals(new Vector3D(0, 0, 1), hit(mesh).getGeometricNormal());
   }
 
-  /** Polygons in other order, their corners rotated, so that they are cut otherwise: the averages are the same. */
+  /** Polygons in another order, their corners rotated, so that they are cut differently: the averages are the same. */
   @Test
   void averagesOfPolygonsDoNotDependOnTheirOrder() {
     Trials.of(20, random -> {

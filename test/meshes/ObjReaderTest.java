@@ -51,7 +51,7 @@ class ObjReaderTest {
     return new ObjReader(files.write("mesh.obj", bytes)).read();
   }
 
-  /** The vertices of the triangles of a file that is read without a word. */
+  /** The vertices of the triangles of a file that is read without problems. */
   private int[] corners(final String text) {
     final ObjReader.Result reading = read(text);
     assertEquals(List.of(), reading.problems());

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 
 import trials.Trials;
 
-/** Polygons are cut so that their triangles cover what the even-odd rule says, and nothing twice. */
+/** The triangles of a polygon cover the same points as the even-odd rule, and none twice. */
 class PolygonTriangulatorTest {
 
   private final PolygonTriangulator triangulator = new PolygonTriangulator();
@@ -228,7 +228,7 @@ class PolygonTriangulatorTest {
     return covering;
   }
 
-  /** Whether a grid looks for corners or all are looked at makes no difference; ten thousand corners take no time. */
+  /** Searching by the grid gives the same result as testing all corners; ten thousand corners take no time. */
   @Test
   void tenThousandCornersAreCutAtOnce() {
     Trials.of(3, random -> {

@@ -19,7 +19,7 @@ import radiometry.ReflectanceRGB;
 import tracer.Hit;
 import tracer.Ray;
 
-/** The colour and the material of an object, and of what is made of it. */
+/** The colour and the material of an object, and of objects derived from it. */
 class AppearanceTest {
 
   private static final Material GREY = new Lambertian(new ReflectanceRGB(0.5f, 0.5f, 0.5f));

@@ -34,7 +34,7 @@ record ClosedMesh(String name, float[] coordinates, int[] corners) {
         new int[] {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5});
   }
 
-  /** A sphere of radius 1, from an octahedron each of whose triangles is divided in four as often as is said. */
+  /** A sphere of radius 1: an octahedron whose triangles are divided in four a number of times. */
   static ClosedMesh icosphere(final int times) {
     ClosedMesh mesh = octahedron();
     for (int i = 0; i < times; i++) {
@@ -94,7 +94,7 @@ record ClosedMesh(String name, float[] coordinates, int[] corners) {
     return new ClosedMesh("torus of " + corners.length / 3 + " triangles", coordinates, corners);
   }
 
-  /** The same with all coordinates times a factor, then moved. */
+  /** The same, scaled, then translated. */
   ClosedMesh moved(final float factor, final float x, final float y, final float z) {
     final float[] by = {x, y, z}, to = new float[coordinates.length];
     for (int i = 0; i < to.length; i++) {
@@ -103,7 +103,7 @@ record ClosedMesh(String name, float[] coordinates, int[] corners) {
     return new ClosedMesh(name + " times " + factor + " at " + Arrays.toString(by), to, corners);
   }
 
-  /** The same with each vertex moved a little at random, by at most a part of the size. */
+  /** The same with each vertex displaced at random, by at most a fraction of the size. */
   ClosedMesh shaken(final RandomNumbers numbers, final double part) {
     final float[] to = new float[coordinates.length];
     for (int i = 0; i < to.length; i++) {
@@ -125,7 +125,7 @@ record ClosedMesh(String name, float[] coordinates, int[] corners) {
     return new Point3D(coordinates[at], coordinates[at + 1], coordinates[at + 2]);
   }
 
-  /** The point of a triangle with these weights of its vertices, as nearly as floats can give it. */
+  /** The point of a triangle with these weights of its vertices, rounded to floats. */
   Point3D point(final int triangle, final double u, final double v, final double w) {
     final Point3D a = vertex(triangle, 0), b = vertex(triangle, 1), c = vertex(triangle, 2);
     return new Point3D((float) (u * a.x + v * b.x + w * c.x), (float) (u * a.y + v * b.y + w * c.y),

@@ -8,7 +8,7 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * A shape as a student may write one: it extends {@link Object3D}, writes {@code intersectionWith} and nothing else. A cone
+ * A shape as a student may write one: it extends {@link Object3D} and implements {@code intersectionWith} only. A cone
  * with its base, from the middle C of the base to the tip C + h û.
  */
 class Cone extends Object3D {

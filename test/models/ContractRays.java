@@ -4,7 +4,7 @@ import primitives.Point3D;
 import primitives.Vector3D;
 import tracer.Ray;
 
-/** Random rays about a shape, of every kind: towards it from near and far, from within, along the axes, past it. */
+/** Random rays about a shape, of all kinds: towards it from near and far, from inside, along the axes, past it. */
 final class ContractRays {
 
   private static final Vector3D[] AXES = {

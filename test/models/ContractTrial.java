@@ -11,7 +11,7 @@ import primitives.Vector3D;
 import tracer.Hit;
 import tracer.Ray;
 
-/** One law of {@link Object3DContract} tried out with random rays; counts them, so that no law holds because of nothing. */
+/** Tries one law of {@link Object3DContract} with random rays, and counts them, so that no law holds vacuously. */
 final class ContractTrial {
 
   /** Number of rays. */
@@ -40,7 +40,7 @@ final class ContractTrial {
     rays = new ContractRays(numbers, centre, size);
   }
 
-  /** The shape that is asked, in its model frame. */
+  /** The shape, in its model frame. */
   Object3D shape() {
     return shape;
   }
@@ -110,7 +110,7 @@ final class ContractTrial {
     return Math.sqrt(x * x + y * y + z * z) + 2 * size;
   }
 
-  /** That a ray does not change sides before it has gone some way. Most of the points looked at are close to the shape. */
+  /** Asserts that a ray does not change sides before a distance. Most of the points tested are close to the shape. */
   void assertOneSide(final Ray ray, final double end) {
     final double tolerance = 100 * contract.accuracy() * (size + end), middle = beyond(ray) - 2 * size;
     double most = 0, least = 0;
@@ -150,7 +150,7 @@ final class ContractTrial {
         hit.pointZ() + (coordinate == 2 ? step : 0));
   }
 
-  /** Whether all rays close to one hit the same face as it does, or miss as it does: then rounding cannot matter. */
+  /** Whether all rays close to a given one hit the same face, or miss, as it does: then rounding cannot matter. */
   boolean isSound(final Ray ray, final Hit hit) {
     for (int i = 0; i < 6; i++) {
       final double step = (i % 2 == 0 ? 1e-3 : -1e-3) * size;
@@ -168,7 +168,10 @@ final class ContractTrial {
     return a.normalX() * b.normalX() + a.normalY() * b.normalY() + a.normalZ() * b.normalZ();
   }
 
-  /** That two hits of a placed shape agree with each other, with their ray, and with that of the shape where it was. */
+  /**
+   * Asserts that two hits of a placed shape agree with each other, with their ray, and with that of the shape in its
+   * model frame.
+   */
   void assertAgree(final RandomPlacement at, final Ray ray, final Hit placed, final Hit transformed, final Hit hit) {
     assertEquals(hit.hits(), placed.hits(), () -> "placed at " + at);
     assertEquals(hit.hits(), transformed.hits(), () -> "transformed to " + at);

@@ -12,15 +12,15 @@ import tracer.Ray;
  * Judges the intersections of a closed shape by all crossings of the ray with its surface, computed independently and
  * with more digits than doubles have.
  *
- * <p>What a ray does closer to the surface than a margin, some 1e-8 of the size of the shape, is left to rounding: it
- * may count as hitting a surface that it passes at that distance, and as missing one into which it dips no deeper.
+ * <p>Closer to the surface than a margin, some 1e-8 of the size of the shape, rounding decides: it may count as hitting a
+ * surface that it passes at that distance, and as missing one into which it dips no deeper.
  */
 abstract class CrossingOracle {
 
-  /** Depth, as a part of the size, that is left to rounding. */
+  /** The margin, relative to the size. */
   private static final double MARGIN = 0x1p-27;
 
-  /** The same as a part of the coordinates of the start. */
+  /** The margin, relative to the coordinates of the start. */
   private static final double FAR_MARGIN = 0x1p-50;
 
   private final double size;
@@ -39,7 +39,7 @@ abstract class CrossingOracle {
   /** Outward unit normal at a point of the surface. */
   abstract double[] normal(double x, double y, double z);
 
-  /** Whether the normal is the same all around a point of the surface, up to what the tolerance of t makes of it. */
+  /** Whether the normal is the same all around a point of the surface, within the tolerance of t. */
   abstract boolean isSmooth(double x, double y, double z);
 
   double size() {
@@ -93,7 +93,7 @@ abstract class CrossingOracle {
   }
 
   /**
-   * What is wrong with a distance found for a ray; null if nothing is.
+   * The fault of a distance found for a ray; null if it is right.
    *
    * @param t the distance; infinity says that the ray misses
    * @param certain {@link #firstCertain} of the ray

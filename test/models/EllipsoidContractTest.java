@@ -14,7 +14,7 @@ import primitives.Vector3D;
 import tracer.Hit;
 import tracer.Ray;
 
-/** The laws for an ellipsoid; how exact it is in its harder places is the matter of a test of its own. */
+/** The laws for an ellipsoid; its accuracy in difficult cases is tested separately. */
 class EllipsoidContractTest implements Object3DContract {
 
   @Override

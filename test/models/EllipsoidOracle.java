@@ -6,7 +6,7 @@ import primitives.Point3D;
 import primitives.Vector3D;
 import tracer.Ray;
 
-/** Where a ray crosses an ellipsoid: the roots of |q|² = 1 for the ray taken to the unit ball. */
+/** Where a ray crosses an ellipsoid: the roots of |q|² = 1 for the ray transformed to the unit ball. */
 final class EllipsoidOracle extends CrossingOracle {
 
   private final DD[] centre;

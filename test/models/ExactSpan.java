@@ -8,11 +8,11 @@ import tracer.Ray;
 
 /**
  * The part of a ray's line within a convex solid, computed in decimals of 50 digits straight from the definitions: the
- * oracle of the shapes that have a closed form. The line is that of the ray's floats, its direction brought to unit length.
+ * oracle of the shapes that have a closed form. The line is that of the ray's floats, with normalised direction.
  *
  * @param enter parameter of the first point, null if unbounded
  * @param leave parameter of the last point, null if unbounded
- * @param gap by how much the line misses the solid or is in it, in parts of the solid's least size: positive inside
+ * @param gap how far the line misses or enters the solid, relative to the solid's least size: positive inside
  */
 record ExactSpan(BigDecimal enter, BigDecimal leave, double gap) {
 

@@ -14,7 +14,7 @@ import tracer.Ray;
 final class ExactTrial {
 
   /**
-   * A line that keeps clear of, or dips into, the solid by less than this part of its size per size of distance is left out.
+   * A line that misses, or enters, the solid by less than this fraction of its size, per size of distance, is left out.
    */
   private static final double DOUBT = 1e-15;
 
@@ -31,7 +31,7 @@ final class ExactTrial {
     return numbers;
   }
 
-  /** Asks about rays towards a shape within a sphere about a centre, of which most come close to its surface. */
+  /** Tries rays towards a shape within a sphere about a centre, most of which come close to its surface. */
   void ask(final Object3D shape, final Point3D centre, final double size, final int rays,
       final Function<ExactSpan.Line, ExactSpan> oracle) {
     for (int i = 0; i < rays; i++) {
@@ -67,7 +67,7 @@ final class ExactTrial {
     }
   }
 
-  /** That enough was asked. */
+  /** Asserts that enough rays were tried. */
   void assertCounts(final int leastHits, final int leastMisses, final int mostDoubts) {
     assertTrue(hits >= leastHits && misses >= leastMisses && doubts <= mostDoubts,
         () -> hits + " hits, " + misses + " misses, " + doubts + " in doubt, " + numbers);

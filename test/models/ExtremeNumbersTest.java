@@ -46,7 +46,7 @@ import view.Projection;
 
 /**
  * Whatever numbers the public constructors and methods of the library are called with, from 1e-30 to 1e30, infinite or
- * none, they return or throw an IllegalArgumentException (or IllegalStateException, of an object that is not ready); no
+ * NaN, they return or throw an IllegalArgumentException (or IllegalStateException, of an object that is not ready); no
  * call hangs, and no hit holds NaN.
  */
 class ExtremeNumbersTest {

@@ -9,7 +9,7 @@ import primitives.Vector3D;
 import tracer.Hit;
 import tracer.Ray;
 
-/** What tests assert of hits. */
+/** Assertions about hits. */
 final class HitAssertions {
 
   private HitAssertions() {
@@ -31,7 +31,7 @@ final class HitAssertions {
     assertSame(Hit.NOHIT, hit, () -> shape + ", " + ray + ": " + hit);
   }
 
-  /** That two hits are the same to the last bit. */
+  /** Asserts that two hits are equal, bit for bit. */
   static void assertSameHit(final Hit expected, final Hit hit, final String what) {
     if (!isSame(expected, hit)) {
       assertEquals(String.valueOf(expected), String.valueOf(hit), what);

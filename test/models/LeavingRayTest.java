@@ -24,7 +24,7 @@ class LeavingRayTest {
 
   private static final int RAYS = 4_000;
 
-  /** A shape of a size at a place. */
+  /** A shape of a given size at a given place. */
   @FunctionalInterface
   private interface Maker {
 

@@ -17,12 +17,12 @@ import primitives.Vector3D;
 import tracer.Hit;
 import tracer.Ray;
 
-/** What can be looked into from outside: marches, costs, parts. */
+/** What can be inspected from outside: marches, costs, parts. */
 class LookingInsideTest {
 
   private static final Ray ALONG_Z = new Ray(new Point3D(0, 0, 5), new Vector3D(0, 0, -1));
 
-  /** A ball that is marched to, as a student may write one. */
+  /** A ray-marched ball, as a student may write one. */
   private static class SphereFunction extends ProceduralObject3D {
 
     private final List<Double> asked = new ArrayList<>();

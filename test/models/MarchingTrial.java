@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import tracer.Hit;
 import tracer.Ray;
 
-/** A shape against its oracle, ray by ray: what was wrong, and how exact the rest was. */
+/** Compares a shape with its oracle, ray by ray: collects faults and the accuracy of the rest. */
 final class MarchingTrial {
 
   private final Object3D shape;
@@ -23,7 +23,7 @@ final class MarchingTrial {
     this.oracle = oracle;
   }
 
-  /** Asks for one ray; its hit is compared where the crossing is certain. */
+  /** Tries one ray; its hit is compared where the crossing is certain. */
   void ask(final Ray ray) {
     final Hit hit = shape.intersectionWith(ray);
     final double t = shape.distance(ray.startX(), ray.startY(), ray.startZ(),
@@ -57,7 +57,10 @@ final class MarchingTrial {
         Math.max(Math.abs(hit.normalY() - n[1]), Math.abs(hit.normalZ() - n[2]))));
   }
 
-  /** That nothing was wrong, that t was no farther off than a part of the size, and that there were hits and misses. */
+  /**
+   * Asserts that there were no faults, that the error of t was at most a fraction of the size, and that there were hits
+   * and misses.
+   */
   void assertExact(final double t, final double normal) {
     assertTrue(faults == 0 && worstT <= t && worstNormal <= normal, this::toString);
     assertTrue(hits > rays / 10, this::toString);

@@ -24,8 +24,8 @@ import view.Perspective;
 import view.Projection;
 
 /**
- * Closed meshes in pictures, where rays are traced by tiles: no pixel between triangles, and the colours that rays alone
- * find.
+ * Closed meshes in pictures, where rays are traced in tiles: no pixel between triangles, and the same colours as by
+ * single rays.
  */
 class MeshPictureTest {
 

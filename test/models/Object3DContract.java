@@ -24,7 +24,7 @@ import tracer.Ray;
 
 /**
  * The laws that every {@link Object3D} must obey, as tests. The test of a shape implements this interface and so inherits
- * them; it has to write two methods:
+ * them; it has to implement two methods:
  *
  * <pre>{@code
  * class BallTest implements Object3DContract {
@@ -38,35 +38,35 @@ import tracer.Ray;
  * }
  * }</pre>
  *
- * <p>What it has to send through the placement are the points, the directions and the lengths; so the same shape can be
- * asked for where it is, a million times as large, or turned and moved. A shape that has no volume, such as a triangle,
- * returns false from {@link #isClosed}; one without a bounding box should override {@link #size} and {@link #centre}.
- * Distances and normals have to be as exact as {@link #accuracy} says, in parts of the lengths that play a role. The tests
- * of this package implement it, {@code StudentsObjectTest} for a shape such as a student would write.
+ * <p>It sends all points, directions and lengths through the placement, so that the same shape can be constructed in
+ * place, a million times as large, or rotated and translated. A shape without volume, such as a triangle, returns false
+ * from {@link #isClosed}; one without a bounding box should override {@link #size} and {@link #centre}. Distances and
+ * normals have to be as accurate as {@link #accuracy} says, relative to the lengths involved. The tests of this package
+ * implement it, {@code StudentsObjectTest} for a shape such as a student would write.
  */
 public interface Object3DContract {
 
   /**
    * The shape to be tested.
    *
-   * @param at where to put it
+   * @param at its placement
    * @return a new shape
    */
   Object3D shape(RandomPlacement at);
 
   /**
-   * Distance of a point from the shape's surface, computed straightforwardly, or anything else with its sign whose slope at
+   * Signed distance of a point from the surface, computed straightforwardly, or any function with its sign whose slope at
    * the surface is about 1.
    *
    * @param x first coordinate of the point, in the model's frame (where {@link RandomPlacement#MODEL} leaves the shape)
    * @param y second coordinate
    * @param z third coordinate
-   * @return negative inside, positive outside; of a surface without inside, negative on the side that its normal leaves
+   * @return negative inside, positive outside; of an open surface, negative on the side behind its normal
    */
   double signedDistance(double x, double y, double z);
 
   /**
-   * Whether no way leads from inside to outside except through the surface, as for a solid or a plane.
+   * Whether the surface separates inside from outside, as that of a solid or a plane does.
    *
    * @return true unless overridden
    */
@@ -75,7 +75,7 @@ public interface Object3DContract {
   }
 
   /**
-   * How exact hits are, relative to the lengths involved.
+   * Accuracy of hits, relative to the lengths involved.
    *
    * @return 1e-5 unless overridden
    */
@@ -108,7 +108,7 @@ public interface Object3DContract {
     return centre;
   }
 
-  /** Points are where the ray is after the distance t, and on the surface; the object has a colour. */
+  /** Points are on the ray at the distance t, and on the surface; the object has a colour. */
   @Test
   default void hitsLieOnTheRayAndOnTheSurface() {
     final ContractTrial trial = new ContractTrial(this, "on ray and surface");
@@ -125,7 +125,7 @@ public interface Object3DContract {
     });
   }
 
-  /** Normals have unit length and the direction in which the distance from the surface grows. */
+  /** Normals have unit length and the direction in which the signed distance grows. */
   @Test
   default void normalsAreUnitVectorsThatPointOut() {
     final ContractTrial trial = new ContractTrial(this, "normals");
@@ -143,7 +143,7 @@ public interface Object3DContract {
     assertTrue(smooth[0] > hits / 2, () -> "only " + smooth[0] + " of " + hits + " hits where the slope could be measured");
   }
 
-  /** Nothing is crossed before the hit: neither does the side change, nor does a ray that starts later hit elsewhere. */
+  /** Nothing is crossed before the hit: the side does not change, and a ray that starts later hits at the same place. */
   @Test
   default void theHitIsTheFirst() {
     final ContractTrial trial = new ContractTrial(this, "first hit");
@@ -173,7 +173,7 @@ public interface Object3DContract {
     });
   }
 
-  /** A hit's point is in the box, and a ray that passes the box by is a miss. */
+  /** The points of hits are in the box, and a ray that misses the box misses the shape. */
   @Test
   default void theBoxContainsEveryHit() {
     final BoundingBox box = shape(RandomPlacement.MODEL).getBoundingBox();
@@ -185,7 +185,7 @@ public interface Object3DContract {
     });
   }
 
-  /** All lengths times a power of two give t times the same, bit for bit: there is no absolute tolerance in the shape. */
+  /** Scaling all lengths by a power of two scales t by the same, bit for bit: the shape has no absolute tolerance. */
   @Test
   default void scalingByAPowerOfTwoScalesTheHitExactly() {
     for (final float factor : new float[] {0x1p20f, 0x1p-20f}) {
@@ -199,7 +199,7 @@ public interface Object3DContract {
     }
   }
 
-  /** A shape in an {@link AffineTransformation} agrees with one that was built in the place to which that takes it. */
+  /** A shape in an {@link AffineTransformation} agrees with one constructed in the transformed place. */
   @Test
   default void theTransformedShapeAgreesWithOnePlacedSo() {
     for (final RandomPlacement at : ContractTrial.PLACEMENTS) {
@@ -271,7 +271,7 @@ public interface Object3DContract {
     assertSame(Hit.NOHIT, shape(RandomPlacement.MODEL).intersectionWith(Ray.NORAY));
   }
 
-  /** Rays of numbers that are none, or infinite, hit nothing, and the search for a hit ends. */
+  /** Rays of NaN or infinite numbers hit nothing, and the search for a hit ends. */
   @Test
   default void raysThatAreNotFiniteMiss() {
     final Object3D shape = shape(RandomPlacement.MODEL);
@@ -285,7 +285,7 @@ public interface Object3DContract {
     }
   }
 
-  /** No ray at all is a wrong argument. */
+  /** A null ray is a wrong argument. */
   @Test
   default void nullIsNoRay() {
     final Object3D shape = shape(RandomPlacement.MODEL);
@@ -293,7 +293,7 @@ public interface Object3DContract {
     assertTrue(message.contains("ray"), message);
   }
 
-  /** What a caller does to a point or a normal that it got changes no hit. */
+  /** Changing a returned point or normal does not change the hit. */
   @Test
   default void callersCannotChangeAHit() {
     new ContractTrial(this, "copies").hits((ray, hit) -> {

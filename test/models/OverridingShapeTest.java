@@ -15,10 +15,10 @@ import primitives.Vector3D;
 import tracer.Hit;
 import tracer.Ray;
 
-/** A student's subclass of a shape of the library, with an intersection of its own, is asked by that everywhere. */
+/** The overridden intersection of a student's subclass of a library shape is called everywhere. */
 class OverridingShapeTest {
 
-  /** A ball that rays pass unless they hit its right half. */
+  /** A ball of which rays hit the right half only. */
   private static final class HalfBall extends Sphere {
 
     HalfBall() {

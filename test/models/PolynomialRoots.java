@@ -10,7 +10,7 @@ import org.apache.commons.numbers.core.DD;
  */
 final class PolynomialRoots {
 
-  /** Bound of the rounding errors of Horner's scheme in double, for degrees up to 4, as a part of the sum of moduli. */
+  /** Bound of the rounding errors of Horner's scheme in double, for degrees up to 4, relative to the sum of moduli. */
   private static final double UNSURE = 0x1p-49;
 
   private final DD[] coefficients;
@@ -22,7 +22,7 @@ final class PolynomialRoots {
   /**
    * Roots between −bound and bound.
    *
-   * @param coefficients that of the constant first
+   * @param coefficients in ascending order of powers
    */
   static double[] within(final double bound, final DD... coefficients) {
     return new PolynomialRoots(coefficients).roots(bound);

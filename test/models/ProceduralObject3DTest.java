@@ -58,7 +58,7 @@ class ProceduralObject3DTest {
     }
   }
 
-  /** A torus whose distance is known in doubles, but that is marched to by nothing else. */
+  /** A torus marched by nothing but its distance, which is in doubles. */
   private static final class InDoubles extends ProceduralObject3D {
 
     private final Torus torus;

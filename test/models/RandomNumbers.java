@@ -6,10 +6,10 @@ import primitives.Point3D;
 import primitives.Vector3D;
 
 /**
- * Random numbers for tests, the same in every run. The system property {@code test.seed} gives others; as a text, which
- * belongs into the message of every failed assertion, it gives the seed. The system property {@code test.factor} makes the
- * longer ones of the random tests as many times as long: {@code ant test-single -Dtest.includes=models/SphereTest.java
- * "-Dtest.jvmargs=-ea -Dtest.seed=7 -Dtest.factor=100"}.
+ * Random numbers for tests, the same in every run. The system property {@code test.seed} selects others;
+ * {@code toString}, which belongs in the message of every failed assertion, gives the seed. The system property
+ * {@code test.factor} multiplies the length of the longer random tests:
+ * {@code ant test-single -Dtest.includes=models/SphereTest.java "-Dtest.jvmargs=-ea -Dtest.seed=7 -Dtest.factor=100"}.
  */
 public final class RandomNumbers {
 
@@ -21,7 +21,7 @@ public final class RandomNumbers {
   /**
    * The numbers of one test.
    *
-   * @param test name of the test, so that no two tests get the same numbers
+   * @param test name of the test, so that different tests get different numbers
    */
   public RandomNumbers(final String test) {
     random = new SplittableRandom(SEED ^ (long) test.hashCode() << 32);
@@ -30,7 +30,7 @@ public final class RandomNumbers {
   /**
    * How many times to try something.
    *
-   * @param number how many times in an everyday run
+   * @param number number of trials in an everyday run
    * @return the number, times the factor asked for
    */
   public static int times(final int number) {
@@ -51,7 +51,7 @@ public final class RandomNumbers {
   /**
    * An index.
    *
-   * @param count number of things
+   * @param count number of elements
    * @return 0 … count − 1
    */
   public int index(final int count) {

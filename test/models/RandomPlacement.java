@@ -9,12 +9,12 @@ import primitives.Vector3D;
 import tracer.Ray;
 
 /**
- * Where a test wants a shape to be: scaled alike in all directions, turned and moved from where it is at first, its
- * model frame. A shape is placed by sending through here all the points, directions and lengths that it is built of.
+ * Where a test places a shape: scaled uniformly, rotated and translated from its model frame. A shape is placed by
+ * sending all points, directions and lengths of its constructor through here.
  */
 public final class RandomPlacement {
 
-  /** The shape where it is at first. */
+  /** The identity. */
   public static final RandomPlacement MODEL = scaled(1);
 
   private final float scale;
@@ -60,7 +60,7 @@ public final class RandomPlacement {
   }
 
   /**
-   * A direction of the model: turned, neither scaled nor moved.
+   * A direction of the model: rotated, neither scaled nor translated.
    *
    * @param x first component in the model's frame
    * @param y second component

@@ -10,7 +10,7 @@ import tracer.Ray;
 /** Rays of every kind about a closed shape: from outside, from inside, grazing, along its axis, from afar, and so on. */
 final class RandomRays {
 
-  /** What {@link #next} can be asked for. */
+  /** The kinds of rays of {@link #next}. */
   enum Kind {
     OUTSIDE, AT_SURFACE, INSIDE, TANGENT, GRAZING, NEAR, ON_SURFACE, PARALLEL, IN_PLANE, NEAR_AXIS, FAR, FAR_GRAZING
   }

@@ -5,7 +5,7 @@ import java.util.List;
 import tracer.Hit;
 import tracer.Ray;
 
-/** The closest hit by asking one object after the other: what trees of boxes must agree with. */
+/** The closest hit by testing all objects: the oracle of trees of boxes. */
 final class Scan {
 
   private Scan() {

@@ -161,7 +161,8 @@ class SmoothMeshTest {
   }
 
   /**
-   * A stretched mesh: normals are interpolated in its own frame and go by the inverse transpose; a mirror keeps the outside.
+   * A stretched mesh: normals are interpolated in its own frame and transformed by the inverse transpose; mirroring keeps
+   * the outside.
    */
   @Test
   void bothNormalsAreTransformedByTheInverseTranspose() {

@@ -26,7 +26,7 @@ import view.Orthographic;
 import view.Perspective;
 import view.Projection;
 
-/** An object of a student's own, which writes {@code intersectionWith} only, obeys the laws and works wherever others do. */
+/** A student's object that implements {@code intersectionWith} only obeys the laws and works wherever others do. */
 class StudentsObjectTest implements Object3DContract {
 
   private static final Cone CONE = new Cone(new Point3D(), new Vector3D(0, 1, 0), 3, 4, Color.ORANGE);

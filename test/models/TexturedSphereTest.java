@@ -19,7 +19,7 @@ import upnatray.Image;
 import view.Camera;
 import view.Orthographic;
 
-/** A globe: the middle of the image faces +Z, its top is at +Y, and it reads from left to right from outside. */
+/** A globe: the middle of the image faces +Z, its top is at +Y, and it is not mirrored when seen from outside. */
 class TexturedSphereTest {
 
   private static final int W = 8;
@@ -98,7 +98,7 @@ class TexturedSphereTest {
     assertNull(new Sphere(CENTRE, 2, Color.RED).intersectionWith(new Ray(new Point3D(1, 2, 9), CENTRE)).getTexCoord());
   }
 
-  /** The picture shows what the hits say, in a group with shapes of one colour too. */
+  /** The picture shows the colours of the hits, in a group with shapes of one colour too. */
   @Test
   void thePictureShowsTheTexture() {
     final Group3D group = new Group3D();

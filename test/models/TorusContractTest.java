@@ -2,7 +2,7 @@ package models;
 
 import java.awt.Color;
 
-/** The laws for a torus; how exact it is in its harder places is the matter of a test of its own. */
+/** The laws for a torus; its accuracy in difficult cases is tested separately. */
 class TorusContractTest implements Object3DContract {
 
   @Override

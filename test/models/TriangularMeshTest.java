@@ -24,7 +24,7 @@ import tracer.Ray;
 
 class TriangularMeshTest implements Object3DContract {
 
-  /** A square of side 2 in the plane z = 0, of two triangles, with indices that are no sequence. */
+  /** A square of side 2 in the plane z = 0, of two triangles, with indices that are not consecutive. */
   private static Map<Integer, Point3D> square() {
     final Map<Integer, Point3D> vertices = new HashMap<>();
     vertices.put(-7, new Point3D(-1, -1, 0));

@@ -6,10 +6,10 @@ import org.junit.platform.engine.support.descriptor.MethodSource;
 import org.junit.platform.launcher.PostDiscoveryFilter;
 
 /**
- * Leaves of a class only the tests of one method, if the system properties {@code test.class} and {@code test.method}
- * name one: NetBeans' "Run Focused Test Method".
+ * Filters the tests of a class to those of one method, if the system properties {@code test.class} and
+ * {@code test.method} name one: NetBeans' "Run Focused Test Method".
  *
- * <p>Ant can choose a method too, but finds by its name only one without parameters.
+ * <p>Ant can select a method too, but by name finds only methods without parameters.
  */
 public final class TestMethodFilter implements PostDiscoveryFilter {
 

@@ -15,18 +15,18 @@ import org.junit.platform.launcher.TestExecutionListener;
 import org.junit.platform.launcher.TestIdentifier;
 
 /**
- * Prints how the tests go: in NetBeans the lines from which it fills its window of test results, elsewhere one line
- * for each class, what went wrong, and a line with the sums.
+ * Prints the results of tests: in NetBeans the lines from which it fills its window Test Results, elsewhere a line for
+ * each class, the failures, and a line with the totals.
  *
- * <p>NetBeans reads the output of the runner of JUnit 3 and 4 and has no other way in. It takes only Java
- * identifiers for the names of tests, so the runs of a parameterised method become {@code method_1}, {@code method_2}.
- * The system property {@code test.lines}, which build.xml sets, says which lines are wanted.
+ * <p>NetBeans can only read the output of the runner of JUnit 3 and 4. It accepts only Java identifiers as names of
+ * tests, so the runs of a parameterised method become {@code method_1}, {@code method_2}. The system property
+ * {@code test.lines}, which build.xml sets, says which lines are wanted.
  */
 public final class TestResultLines implements TestExecutionListener {
 
   private static final String EVENT = "junit.framework.TestListener: ";
 
-  /** Taken at once, as tests may put another stream in its place. */
+  /** Saved at once, as tests may replace it. */
   private static final PrintStream OUT = System.out;
   private static final boolean FOR_NETBEANS = "netbeans".equals(System.getProperty("test.lines"));
 
@@ -135,7 +135,7 @@ public final class TestResultLines implements TestExecutionListener {
     return last.startsWith("#") ? method + "_" + last.substring(1) : method;
   }
 
-  /** What became of the tests of a class, or of all. */
+  /** The results of the tests of a class, or of all. */
   private static final class Counts {
 
     private int passed;

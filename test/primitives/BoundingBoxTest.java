@@ -219,7 +219,7 @@ class BoundingBoxTest {
     assertTrue(hits[0] > 1000, () -> hits[0] + " rays hit their box");
   }
 
-  /** Every other ray misses the box widened by a millionth: none of them is said to cross the box. */
+  /** Every other ray misses the box widened by a millionth: none of them is reported to hit the box. */
   @Test
   void raysThatMissItByMoreThanRoundingDoNotCrossIt() {
     final int[] miss = {0};
@@ -250,7 +250,7 @@ class BoundingBoxTest {
     return new float[] {Math.max(P.x, Q.x), Math.max(P.y, Q.y), Math.max(P.z, Q.z)};
   }
 
-  /** The test of slabs without rounding: entering and leaving distances are fractions, of which none is divided. */
+  /** The slab test without rounding: the distances are fractions, and no division is carried out. */
   private static boolean meetsExactly(final float[] min, final float[] max, final double[] start, final double[] direction) {
     boolean hits = true;
     for (int i = 0; i < 3; i++) {

@@ -41,7 +41,7 @@ class ReflectanceRGBTest {
     assertEquals(0.21586050, dark.getB(), 1e-7);
   }
 
-  /** What is decoded and encoded again is what it was. */
+  /** Decoding and encoding restores a colour. */
   @Test
   void decodingIsTheInverseOfEncoding() {
     for (int i = 0; i < 256; i++) {

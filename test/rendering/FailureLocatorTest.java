@@ -85,7 +85,7 @@ class FailureLocatorTest {
         messageOf(new Broken(null)).getMessage());
   }
 
-  /** The classic among the errors that students make. */
+  /** The classic student's error. */
   private static final class Endless extends Object3D {
 
     Endless() {
@@ -118,7 +118,7 @@ class FailureLocatorTest {
     assertTrue(message.startsWith("objects lie within too many transformations"), message);
   }
 
-  /** A sphere without a colour, and a box that asks itself. */
+  /** A sphere without a colour, and a box that calls itself. */
   private static final class Careless extends Object3D {
 
     private final boolean hasBox;

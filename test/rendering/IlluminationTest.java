@@ -154,7 +154,7 @@ class IlluminationTest {
     assertArrayEquals(pixels(scene, camera, settings.withShading(five)), standard.getRGB(0, 0, 61, 47, null, 0, 61));
   }
 
-  /** Nothing is left of a thing that only reflects or lets through before an even background. */
+  /** An object that only reflects or transmits is invisible before a uniform background. */
   @Test
   void furnaceHidesPerfectMirrorsAndGlass() {
     final Point3D C = new Point3D(0.3f, 0.1f, -0.2f);

@@ -20,7 +20,7 @@ import view.Perspective;
 
 class RenderSettingsTest {
 
-  /** A ball that counts how often it is asked. */
+  /** A ball that counts the calls of its intersection. */
   private static final class Counting extends Sphere {
 
     private int count;

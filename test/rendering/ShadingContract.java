@@ -36,8 +36,8 @@ import view.Camera;
 import view.Perspective;
 
 /**
- * The laws that every {@link Shading} must obey, as tests. The test of a shading implements this interface and so inherits
- * them; it has to write one method:
+ * The laws that every {@link Shading} must obey, as tests. The test of a shading implements this interface and so
+ * inherits them; it has to implement one method:
  *
  * <pre>{@code
  * class FlatTest implements rendering.ShadingContract {
@@ -92,7 +92,7 @@ public interface ShadingContract {
         new Vector3D((float) random.nextGaussian(), (float) random.nextGaussian() - 0.3f, (float) random.nextGaussian()));
   }
 
-  /** Every hit has a colour, whichever side of which object it is on, and the same colour when asked again. */
+  /** Every hit has a colour, whichever side of which object it is on, and the same colour when computed again. */
   @Test
   default void everyHitHasOneColour() {
     final Group3D scene = scene();
@@ -121,7 +121,7 @@ public interface ShadingContract {
     assertArrayEquals(loop, tiles);
   }
 
-  /** Threads that ask at the same time do not disturb each other. */
+  /** Concurrent calls do not disturb each other. */
   @Test
   default void threadsDoNotDisturbEachOther() throws InterruptedException {
     final Group3D scene = scene();

@@ -70,7 +70,7 @@ class ShadowTest {
     return red(scene, light, ray, scene.intersectionWith(ray));
   }
 
-  /** How far a segment of the scene passes from a point. */
+  /** Distance of a segment from a point. */
   private static double distance(final Hit hit, final Point3D S, final Point3D C) {
     final double x = hit.pointX(), y = hit.pointY(), z = hit.pointZ(), dx = S.x - x, dy = S.y - y, dz = S.z - z;
     final double along = ((C.x - x) * dx + (C.y - y) * dy + (C.z - z) * dz) / (dx * dx + dy * dy + dz * dz);
@@ -123,7 +123,7 @@ class ShadowTest {
     }
   }
 
-  /** Shapes alone that are convex, or seen from where they do not hide themselves, in all sizes and far away. */
+  /** Single shapes that are convex, or seen from where they do not occlude themselves, in all sizes and far away. */
   @Test
   void whatFacesALightAndSeesItIsLit() {
     final RandomNumbers numbers = new RandomNumbers("facing");
@@ -239,7 +239,10 @@ class ShadowTest {
     assertEquals(red(scene, lamp(new Point3D(0, 2, 0)), new Point3D(1, 1, 1), new Point3D()), sum, 1e-6 * sum);
   }
 
-  /** Also in a picture, where the shadow rays of a tile are asked together: memory does not grow with the lights. */
+  /**
+   * Also in a picture, where the shadow rays of a tile are traced together: memory does not grow with the number of
+   * lights.
+   */
   @Test
   void pictureOfManyLightsIsThatOfOneOfTheirPower() {
     final LightGroup many = new LightGroup(), one = new LightGroup(lamp(new Point3D(0, 2, 0)));

@@ -109,7 +109,7 @@ class UserWrittenLightingTest {
     assertTrue(different <= 10 * RandomNumbers.times(1), () -> count + " differ; " + numbers);
   }
 
-  /** A facet whose shading normal points anywhere before it. */
+  /** A facet whose shading normal points anywhere in front of it. */
   private static final class Sheet extends Object3D {
 
     private final RandomNumbers numbers = new RandomNumbers("bent normals");
@@ -146,7 +146,7 @@ class UserWrittenLightingTest {
     }
   }
 
-  /** Reflected rays stay before the facet, refracted ones go behind it: a sky that differs shows which is which. */
+  /** Reflected rays stay in front of the facet, refracted ones go behind it: a non-uniform sky tells them apart. */
   @Test
   void bentRaysLeaveOnTheirOwnSide() {
     final RandomNumbers numbers = new RandomNumbers("bent rays");

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The messages of all packages are there in English and in Spanish, with the same keys and places for values. */
+/** The messages of all packages exist in English and in Spanish, with the same keys and placeholders. */
 class BundlesTest {
 
   private static final Pattern PLACE = Pattern.compile("\\{(\\d+)\\}");
@@ -60,7 +60,7 @@ class BundlesTest {
     }
   }
 
-  /** A lone apostrophe would swallow the places after it. */
+  /** A lone apostrophe would disable the placeholders after it. */
   @ParameterizedTest
   @MethodSource("bundles")
   void everyPlaceIsFilled(final Path english) throws IOException {
@@ -87,8 +87,8 @@ class BundlesTest {
   }
 
   /**
-   * A key that no source names is left over. It may stand there as a literal of its own or at the end of one, without the
-   * ending "Any", or up to its first point, if the source puts it together; its package may precede it.
+   * A key that no source names is unused. The source may have it as a literal or at the end of one, without the ending
+   * "Any", or up to its first point if it is composed; its package may precede it.
    */
   @ParameterizedTest
   @MethodSource("bundles")

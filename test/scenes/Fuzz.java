@@ -31,9 +31,9 @@ import tracer.RayGenerator;
 import upnatray.RenderJob;
 
 /**
- * Feeds the readers with damaged files: {@code Fuzz COUNT SEED FOLDER}, where an empty seed is the time. Whatever is in a
- * file, its reader must return within five seconds, with a message for each problem, at a place that is in the file; and a
- * scene that it accepts must shade what rays hit. A file that breaks this is kept in the folder, and the exit status is 1.
+ * Feeds the readers with damaged files: {@code Fuzz COUNT SEED FOLDER}, where an empty seed is the time. Whatever a file
+ * contains, its reader must return within five seconds, with each problem at a place within the file; and rays must be
+ * shaded in a scene that it accepts. A file that breaks this is kept in the folder, and the exit status is 1.
  */
 final class Fuzz implements AutoCloseable {
 
@@ -52,7 +52,7 @@ final class Fuzz implements AutoCloseable {
     Files.write(folder.resolve(Mutations.IMAGE_FILE), Mutations.image("PNG", new Random(1)));
   }
 
-  /** A thread of its own for the reading, as nothing else could be said of a reader that does not come to an end. */
+  /** A separate thread for reading, so that a reader that does not end can be reported. */
   private static ExecutorService newReader() {
     return Executors.newSingleThreadExecutor(task -> {
       final Thread thread = new Thread(task, "reader");
@@ -87,7 +87,7 @@ final class Fuzz implements AutoCloseable {
     return finding == null;
   }
 
-  /** What is wrong with the reading of the file of a seed; null if nothing is. */
+  /** The fault found with the file of a seed; null if there is none. */
   String finding(final Kind kind, final long seed) throws IOException, InterruptedException {
     final byte[] bytes = mutations.file(kind, seed);
     final Path file = Files.write(folder.resolve(kind.isScene() ? "fuzz.xml" : kind.isImage() ? "fuzz.image"

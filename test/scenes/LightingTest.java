@@ -44,7 +44,7 @@ class LightingTest {
     files = new SceneFiles(folder);
   }
 
-  /** A lit scene: what its engine holds besides illumination, its lights in line 30, its materials in line 31. */
+  /** A lit scene: the contents of its engine besides illumination, its lights in line 30, its materials in line 31. */
   private ReadResult read(final String engine, final String lights, final String materials, final String look) {
     return files.read(SceneFiles.with("<illumination>false</illumination>", "<illumination>true</illumination>" + engine)
         .replace("<scene>", "<lights>" + lights + "</lights>\n<materials>" + materials + "</materials><scene>")

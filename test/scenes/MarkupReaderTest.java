@@ -20,7 +20,7 @@ import trials.Trials;
 
 class MarkupReaderTest {
 
-  /** Pieces from which files are put together: good ones often, wrong ones now and then. */
+  /** Pieces of which files are composed: valid ones often, invalid ones sometimes. */
   private static final String[] PIECES = {"<a>", "</a>", "<b c='1'>", "</b>", "<d/>", "x ", "\n", "<!-- c "
       + "-->", "&lt;", "&#65;",
     "&#x41;", "<![CDATA[<x>]]>", "<?pi data?>", "<e f=\"&amp;\" g='h'/>", "ñ", " "

@@ -18,7 +18,7 @@ import java.util.zip.ZipOutputStream;
 
 import javax.imageio.ImageIO;
 
-/** Files that something happened to: sound ones, changed at a few random places. */
+/** Damaged files: valid ones, changed at a few random places. */
 final class Mutations {
 
   /** A way of changing a file. */

@@ -55,7 +55,7 @@ class PlacementTest {
     assertTrue(difference.length() < 1e-6, expected + " " + actual);
   }
 
-  /** The table of the language, row by row: the computed axes by the products that it gives. */
+  /** The table of the language, row by row: the computed axes by its products. */
   @ParameterizedTest
   @CsvSource({"i, j, k, main aux", "i, k, j, aux main", "j, i, k, aux main", "j, k, i, main aux", "k, i, j, main "
       + "aux", "k, j, i, aux main"})
@@ -111,7 +111,7 @@ class PlacementTest {
     assertSame(sphere, placement("<rotationAngle>720</rotationAngle>").applied(sphere));
   }
 
-  /** The one rotation of a transformation does what both turns do, also where their angles add up to nearly 0° or 180°. */
+  /** The one rotation of a transformation has the effect of both, also where their angles add up to nearly 0° or 180°. */
   @Test
   void oneAxisAndAngleStandForBothTurns() {
     Trials.of(3000, random -> {

@@ -11,7 +11,7 @@ import java.util.stream.Collectors;
 
 import diagnostics.Problem;
 
-/** Scene files for tests: a small sound one, and what becomes of it when parts are replaced. */
+/** Scene files for tests: a small valid one, and variants with parts replaced. */
 public final class SceneFiles {
 
   /** A sphere of radius 1 at the origin, seen from (0, 0, 5). */
@@ -84,7 +84,7 @@ public final class SceneFiles {
     return SceneReader.read(write("scene.xml", text));
   }
 
-  /** Reads the sound scene with a part of it replaced by another, which must be there. */
+  /** Reads the valid scene with a part of it, which must occur, replaced. */
   ReadResult readWith(final String part, final String other) {
     return read(with(part, other));
   }
@@ -96,13 +96,13 @@ public final class SceneFiles {
     return SOUND.replace(part, other);
   }
 
-  /** The sound scene with another model of the id "ball". */
+  /** The valid scene with another model of the id "ball". */
   ReadResult readModel(final String type, final String values) {
     return readWith("<model id=\"ball\" type=\"sphere\">\n      <radius>1</radius>",
         "<model id=\"ball\" type=\"" + type + "\">\n      " + values);
   }
 
-  /** The sound scene with more in its object. */
+  /** The valid scene with more in its object. */
   ReadResult readPlaced(final String values) {
     return readWith("<color>255 0 0</color>", "<color>255 0 0</color>\n" + values);
   }
@@ -116,7 +116,7 @@ public final class SceneFiles {
     return problem.toString().substring(problem.file().length() + 1);
   }
 
-  /** Does something in another language. */
+  /** Runs an action in another locale. */
   static void in(final Locale locale, final Runnable action) {
     final Locale before = Locale.getDefault();
     Locale.setDefault(locale);

@@ -112,7 +112,7 @@ class SceneReaderTest {
         "4:8: `W` is too large: found `2147483648`, expected a whole number, W >= 1, at most 2147483647");
   }
 
-  /** Each of these texts, some hundred thousand times in a file, took minutes to be read. */
+  /** Each of these texts, repeated some hundred thousand times in a file, once took minutes to read. */
   @ParameterizedTest
   @ValueSource(strings = {"<object><x/></object>", "<object><modelId>bal</modelId></object>",
     "<model id='ID' type='sphere'/><object><modelId>ID0</modelId></object>"})

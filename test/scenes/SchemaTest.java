@@ -27,7 +27,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.xml.sax.SAXException;
 
-/** The schema of scene files knows what the reader knows, and our scenes keep to it. */
+/** The schema of scene files agrees with the reader, and our scenes are valid. */
 class SchemaTest {
 
   private static final Path FOLDER = Path.of("scenes");

@@ -95,7 +95,7 @@ class HitTest {
     });
   }
 
-  /** A normal of some length is no normal of length zero, however its squares cancel. */
+  /** A short normal is not a zero normal, even if its squares underflow. */
   @Test
   void everyNormalButZeroMakesAHit() {
     for (final double[] n : new double[][] {{3, 4, 5}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {3, 5, 4}, {5, 3, 4}}) {

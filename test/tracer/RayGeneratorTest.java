@@ -107,7 +107,7 @@ class RayGeneratorTest {
     careless.fill(tile, 0, 0);
   }
 
-  /** Of a tile in the last corner of the image no pixel beyond it is asked for. */
+  /** A tile in the last corner of the image requests no pixel beyond it. */
   @Test
   void onlyPixelsOfTheTileAreAsked() {
     final RayGenerator generator = new Slanting(CAMERA, 40, 30);

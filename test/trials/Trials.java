@@ -5,9 +5,9 @@ import java.util.Random;
 import org.junit.jupiter.api.function.ThrowingConsumer;
 
 /**
- * Repeats a test with random numbers, the same in every run. A trial that fails reports its seed; with the system property
- * {@code test.seed} set to it (ant -Dtest.jvmargs="-ea -Dtest.seed=17" test-single ...) it comes first. With
- * {@code test.trials} set to 100 there are a hundred times as many.
+ * Repeats a test with random numbers, the same in every run. A trial that fails reports its seed; with the system
+ * property {@code test.seed} set to it (ant -Dtest.jvmargs="-ea -Dtest.seed=17" test-single ...) it comes first. The
+ * property {@code test.trials} multiplies the number of trials.
  */
 public final class Trials {
 
@@ -28,7 +28,7 @@ public final class Trials {
     }
   }
 
-  /** Generators of neighbouring seeds begin alike, unless the first numbers are thrown away. */
+  /** Generators of neighbouring seeds begin alike, unless the first numbers are skipped. */
   private static Random random(final long seed) {
     final Random random = new Random(seed * 0x9E3779B97F4A7C15L);
     random.nextLong();

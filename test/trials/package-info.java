@@ -1,2 +1,2 @@
-/** What tests with random numbers share. */
+/** Shared code of tests with random numbers. */
 package trials;

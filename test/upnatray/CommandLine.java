@@ -8,11 +8,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
-/** The program as a process of its own, as who uses it starts it. */
+/** Runs the program as a process, as a user does. */
 final class CommandLine {
 
   /**
-   * What a process did.
+   * The result of a process.
    *
    * @param status its exit status
    * @param out what it wrote to the standard output
@@ -38,7 +38,7 @@ final class CommandLine {
     return other;
   }
 
-  /** The same with what a shell hands on as LC_ALL. */
+  /** The same with a value of the environment variable LC_ALL. */
   CommandLine withLocale(final String locale) {
     final CommandLine other = with();
     other.locale = locale;
@@ -46,8 +46,8 @@ final class CommandLine {
   }
 
   /**
-   * Starts the program so that an interruption reaches it. NetBeans is deaf to interruptions, as is all that a shell starts
-   * in the background, and so would be whatever they start in turn.
+   * Starts the program so that an interruption reaches it. NetBeans ignores interruptions, as does everything that a
+   * shell starts in the background, and their child processes inherit that.
    */
   Process startInterruptible(final String... args) throws IOException, InterruptedException {
     final List<String> hearing = List.of("env", "--default-signal=INT");

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Faults, done for real: a picture appears whole or not at all. */
+/** Real faults: a picture appears whole or not at all. */
 class FaultsTest {
 
   /** An old picture, to judge by its first bytes. */
@@ -119,7 +119,7 @@ class FaultsTest {
     }
   }
 
-  /** Killed at any moment while it writes one picture over another again and again, it leaves a whole one. */
+  /** Killed at any moment while it overwrites pictures again and again, the program leaves a whole one. */
   @Test
   void killedAtAnyMomentItLeavesAWholePicture() throws Exception {
     assertEquals(0, program.run("t.xml", "-o", "t.png").status());

@@ -8,7 +8,7 @@ import models.Object3D;
 import tracer.Hit;
 import tracer.Ray;
 
-/** A group as the assignment describes it: it asks all its objects. The oracle of everything that leaves objects out. */
+/** A group as the assignment describes it, which tests all its objects: the oracle of everything that culls objects. */
 final class LinearGroup extends Object3D {
 
   private final List<Object3D> objects = new ArrayList<>();

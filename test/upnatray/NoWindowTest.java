@@ -10,7 +10,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What the command line does about windows where there is no display. */
+/** The command line without a display. */
 class NoWindowTest {
 
   private static final String SCENE = Path.of("scenes", "shapes.xml").toAbsolutePath().toString();

@@ -135,7 +135,7 @@ class PngFileTest {
         () -> PngFile.write(image(BufferedImage.TYPE_INT_ARGB), full)).getMessage());
   }
 
-  /** On Windows a file that another program has open cannot be replaced; what the system says then, is said here by hand. */
+  /** On Windows a file that another program has open cannot be replaced; the exception of the system is simulated here. */
   @Test
   void aFileInUseIsCalledSo() {
     final String inUse = Messages.text("upnatray.inUse");

@@ -29,7 +29,7 @@ import tracer.Ray;
 import view.Camera;
 import view.Perspective;
 
-/** Watching a synthesis, stopping it, and what becomes of it when something goes wrong. */
+/** Watching a synthesis, stopping it, and failures during one. */
 class ProgressTest {
 
   private static final Camera CAMERA = ImageTest.camera(new Perspective(60, 1));
@@ -84,7 +84,7 @@ class ProgressTest {
     assertArrayEquals(ImageTest.pixels(whole), ImageTest.pixels(image));
   }
 
-  /** An object of a student's that goes wrong at some pixel. */
+  /** A student's object that fails at some pixel. */
   private static Group3D failing(final Throwable failure, final int pixel) {
     final AtomicInteger asked = new AtomicInteger();
     final Group3D scene = new Group3D();

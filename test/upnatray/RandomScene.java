@@ -23,8 +23,8 @@ import primitives.Point3D;
 import primitives.Vector3D;
 
 /**
- * A scene of random objects of every kind, near the origin and of a size of the order of a unit of length; and once more
- * the same scene without anything that could leave objects out: groups and meshes are {@link LinearGroup}s.
+ * A scene of random objects of all kinds near the origin, of sizes about a unit of length; and the same scene without
+ * anything that culls objects: groups and meshes are {@link LinearGroup}s.
  */
 final class RandomScene {
 

@@ -27,8 +27,9 @@ import scenes.SceneFile;
 import scenes.SceneReader;
 
 /**
- * Every example scene, rendered small, is the picture that is kept in {@code test/references}, pixel by pixel. Of one that
- * is not, the picture and the differences are left in {@code build/references}. What is right now becomes the reference by
+ * Every example scene, rendered small, is the picture that is kept in {@code test/references}, pixel by pixel. Of one
+ * that is not, the picture and the differences are left in {@code build/references}. The current pictures become the
+ * references by
  * {@code ant test-single -Dtest.includes=upnatray/ReferenceImagesTest.java -Dtest.jvmargs="-ea -Dtest.references=write"};
  * look at the pictures before committing them.
  */

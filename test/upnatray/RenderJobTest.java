@@ -141,7 +141,7 @@ class RenderJobTest {
     assertEquals(1 + objects.length, colours.size());
   }
 
-  /** A student's shape: a disc, and nothing but what must be there. */
+  /** A student's shape: a disc with the required method only. */
   private static final class Disc extends Object3D {
 
     Disc() {

@@ -24,7 +24,7 @@ import view.Orthographic;
 import view.Perspective;
 
 /**
- * The pixels of an image are those of single rays sent to objects that are all asked, bit for bit: tiles, trees and threads
+ * The pixels of an image are, bit for bit, those of single rays tested against all objects: tiles, trees and threads
  * leave nothing out and change nothing.
  */
 class SamePixelsTest {
@@ -99,7 +99,7 @@ class SamePixelsTest {
     assertTrue(shown[0] > 10_000, () -> "only " + shown[0] + " pixels show an object");
   }
 
-  /** A camera at the edge of things that reach far beyond what it sees: solids, and as large triangles. */
+  /** A camera at the edge of objects that extend far beyond its view: solids, and triangles as large. */
   private static int atTheEdgeOfHugeThings(final Random random) {
     final Group3D scene = new Group3D();
     for (int i = 0; i < 3; i++) {

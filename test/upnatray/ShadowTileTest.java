@@ -28,10 +28,10 @@ import tracer.RayGenerator;
 import trials.Trials;
 import view.Camera;
 
-/** Shadow rays asked by the tile are blocked exactly where single ones are. */
+/** Shadow rays traced by the tile are blocked exactly where single ones are. */
 class ShadowTileTest {
 
-  /** What a light is: a point, near or far, a direction, or something that has neither. */
+  /** Kinds of lights: a point, near or far, a direction, or neither. */
   private static final class Source {
 
     final double[] at = new double[3];

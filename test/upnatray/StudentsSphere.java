@@ -9,7 +9,7 @@ import primitives.Vector3D;
 import tracer.Hit;
 import tracer.Ray;
 
-/** What a student may write: an object that knows intersectionWith, and perhaps its box. */
+/** A student's object: with intersectionWith, and possibly a box. */
 final class StudentsSphere extends Object3D {
 
   private final Point3D C;

@@ -27,7 +27,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 import arguments.Messages;
 
-/** Nothing of the user's is overwritten by mistake. */
+/** No file of the user is overwritten by mistake. */
 class TargetsTest {
 
   private static final String SCENE = """

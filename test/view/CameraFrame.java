@@ -72,7 +72,7 @@ final class CameraFrame {
     return new double[] {V.x + v[0], V.y + v[1], V.z + v[2]};
   }
 
-  /** Largest coordinate of the camera's position: what floats near it are accurate to is a part of this. */
+  /** Largest coordinate of the camera's position, to which the rounding of floats near it is relative. */
   double size() {
     return Math.max(Math.abs(V.x), Math.max(Math.abs(V.y), Math.abs(V.z)));
   }

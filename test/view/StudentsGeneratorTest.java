@@ -15,7 +15,7 @@ import tracer.Ray;
 import tracer.RayGenerator;
 import trials.Trials;
 
-/** A generator that writes getRay and nothing else. */
+/** A generator that implements getRay only. */
 class StudentsGeneratorTest {
 
   private static final Camera CAMERA = new Camera(new Point3D(0, 0, 1), new Point3D(), new Vector3D(0, 1, 0));

@@ -29,7 +29,7 @@ import view.Orthographic;
 
 class BackgroundRendererTest {
 
-  /** Writes down the events, and the last picture. */
+  /** Records the events and the last picture. */
   private static final class Log implements BackgroundRenderer.Listener {
 
     private final BlockingQueue<String> events = new LinkedBlockingQueue<>();

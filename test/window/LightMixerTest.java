@@ -66,7 +66,7 @@ class LightMixerTest {
     assertTrue(Difference.between(expected, actual).orElseThrow().largest() <= 1);
   }
 
-  /** The law of linearity: any subset is what a scene with only these lights shows, within the rounding of a level. */
+  /** The law of linearity: any subset looks like a scene with only these lights, within the rounding of a level. */
   @Test
   void everyMixtureIsThePictureWithTheseLights() {
     for (final int depth : new int[] {0, 3}) {
