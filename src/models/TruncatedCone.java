@@ -163,7 +163,8 @@ public class TruncatedCone extends Object3D {
 
   /**
    * Whether a ray that passes beside the tip may be a rounded ray through it: by rounding in double or, close by, by that
-   * of its direction and of the tip to floats, which changes each component relative to itself.
+   * of its direction and of the tip to floats, which changes each component relative to itself, and of which the part
+   * across the ray counts.
    */
   private boolean isAimedAtTip(final double sx, final double sy, final double sz,
       final double dx, final double dy, final double dz) {
@@ -173,23 +174,26 @@ public class TruncatedCone extends Object3D {
     }
     final double px = wx - away * dx, py = wy - away * dy, pz = wz - away * dz;
     final double close = CLOSE * Math.min(half, Math.max(rA, rB));
+    final double tip = Math.abs(x * dx) + Math.abs(y * dy) + Math.abs(z * dz);
     return isTip(px, py, pz, away) || px * px + py * py + pz * pz <= close * close
-        && isRounded(px, wx, x) && isRounded(py, wy, y) && isRounded(pz, wz, z) && !isOnSide(-wx, -wy, -wz);
+        && isRounded(px, x, 2 * wx, tip * dx) && isRounded(py, y, 2 * wy, tip * dy) && isRounded(pz, z, 2 * wz, tip * dz)
+        && !isOnSide(-wx, -wy, -wz);
   }
 
   /** Whether a point, relative to the origin, is on the side up to rounding; from there a ray may follow it to the tip. */
   private boolean isOnSide(final double px, final double py, final double pz) {
     final double s = axis.along(px, py, pz);
-    final double off = Math.sqrt(Math.max(0, px * px + py * py + pz * pz - s * s)) - r - slope * s;
+    final double off = Math.sqrt(Math.max(0, px * px + py * py + pz * pz - s * s)) - slope * s;
     return Math.abs(off) <= 4 * errorBound() * Math.sqrt(1 + slope * slope);
+  }
+
+  /** Whether a distance from the ray is no more than what rounding makes of some numbers. */
+  private static boolean isRounded(final double off, final double a, final double b, final double c) {
+    return Math.abs(off) <= FLOAT * (Math.abs(a) + Math.abs(b) + Math.abs(c));
   }
 
   private double errorBound() {
     return Rounding.bound(axis.x, axis.y, axis.z, 2 * (half + Math.max(rA, rB)));
-  }
-
-  private static boolean isRounded(final double off, final double way, final double tip) {
-    return Math.abs(off) <= FLOAT * (2 * Math.abs(way) + Math.abs(tip));
   }
 
   @Override

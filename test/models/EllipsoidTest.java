@@ -186,6 +186,19 @@ class EllipsoidTest implements Object3DContract {
     assertEquals(19, EGG.distanceUpperBound(new Point3D(0, 9, 0)), 1e-5);
   }
 
+  /** The point of a hit is brought back onto the surface, which rounding leaves by 1e-12 of its size from afar. */
+  @Test
+  void hitsFromAfarLieOnTheSurfaceToAllDigits() {
+    final RandomNumbers numbers = new RandomNumbers("ellipsoid from afar");
+    for (int i = 0; i < 5000; i++) {
+      final Vector3D v = numbers.direction();
+      v.scale(1e5f);
+      final Hit hit = EGG.intersectionWith(new Ray(new Point3D(v.x, v.y, v.z), numbers.pointAbout(O, 1)));
+      final double a = hit.pointX() / 5, b = hit.pointY() / 10, c = hit.pointZ() / 2;
+      assertEquals(1, a * a + b * b + c * c, 4e-15, () -> hit + ", " + numbers);
+    }
+  }
+
   /** Along x the half extent is √((Rx ix)² + (Ry jx)² + (Rz kx)²) with i = (0.6, 0.8, 0), j = (−0.8, 0.6, 0). */
   @Test
   void theBoxIsTight() {

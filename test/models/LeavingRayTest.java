@@ -49,6 +49,11 @@ class LeavingRayTest {
       far.scaleAdd(1e4f * s, aux, C);
       return new Plane(far, u, Color.RED);
     });
+    MAKERS.put("moved back from afar", (C, u, aux, s) -> {
+      final Point3D far = new Point3D(1e4f * s * aux.x, 1e4f * s * aux.y, 1e4f * s * aux.z);
+      return new AffineTransformation(new Vector3f(1, 1, 1), new Vector3f(C.x - far.x, C.y - far.y, C.z - far.z),
+          new Sphere(far, s, Color.RED));
+    });
     MAKERS.put("egg", (C, u, aux, s) -> new Egg(C, u, 0.7f * s, s, 0.3f * s, Color.RED));
     MAKERS.put("needle egg", (C, u, aux, s) -> new Egg(C, u, 0.01f * s, s, 0.8f * s, Color.RED));
     MAKERS.put("blunt egg", (C, u, aux, s) -> new Egg(C, u, s, 0.5f * s, 0.499f * s, Color.RED));
@@ -125,6 +130,27 @@ class LeavingRayTest {
           + "; " + numbers);
     }
     return true;
+  }
+
+  /** Error bounds are some hundred roundings of the numbers that are computed with: contact shadows close. */
+  @TestFactory
+  Stream<DynamicTest> errorBoundsAreSmall() {
+    return MAKERS.entrySet().stream().filter(maker -> maker.getKey().matches(
+        "sphere|cylinder|capsule|torus|ellipsoid|plane|egg|needle egg|blunt egg|truncated cone|needle cone"))
+        .map(maker -> DynamicTest.dynamicTest(maker.getKey(), () -> {
+          final RandomNumbers numbers = new RandomNumbers("error bound of " + maker.getKey());
+          for (int i = 0; i < RandomNumbers.times(RAYS); i++) {
+            final float size = numbers.magnitude(-10, 20);
+            final Point3D C = numbers.pointAbout(new Point3D(), size * Math.pow(10, numbers.between(-2, 4)));
+            final Vector3D u = numbers.direction(), aux = numbers.direction();
+            final Object3D shape = maker.getValue().make(C, u, aux, size);
+            final Ray ray = new Ray(numbers.pointAbout(C, 10 * size), numbers.pointAbout(C, 0.6 * size));
+            final Hit hit = shape.intersectionWith(ray);
+            final double largest = Math.abs(C.x) + Math.abs(C.y) + Math.abs(C.z) + 20 * size;
+            assertTrue(!hit.hits() || hit.errorBound() > 0 && hit.errorBound() < 1e-13 * largest,
+                () -> shape + ", " + ray + ": " + hit.errorBound() + "; " + numbers);
+          }
+        }));
   }
 
   /** Of a million rays that leave a sphere outwards none hits it again; those inwards hit its far wall after the chord. */

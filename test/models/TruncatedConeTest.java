@@ -217,6 +217,76 @@ class TruncatedConeTest implements Object3DContract {
     }
   }
 
+  /** Small cones and large ones, up to fifty times their size from the origin: rays of floats towards the tip hit it. */
+  @Test
+  void noRayOfFloatsTowardsTheTipOfAConeAnywherePassesIt() {
+    final RandomNumbers numbers = new RandomNumbers("towards a tip anywhere");
+    for (int n = 0; n < RandomNumbers.times(20_000); n++) {
+      final float s = numbers.magnitude(-20, 20);
+      final Point3D P = numbers.pointAbout(O, 50 * s), tip = new Point3D(P.x, P.y, P.z + s);
+      final TruncatedCone cone = new TruncatedCone(P, Z, n % 2 == 0 ? s : 9 * s, 0, 2 * s, Color.RED);
+      final Vector3D v = numbers.direction();
+      v.scale(s * numbers.magnitude(-3, 4));
+      final Hit hit = cone.intersectionWith(new Ray(new Point3D(tip.x + v.x, tip.y + v.y, tip.z + v.z), tip));
+      if (!(hit.hits() && hit.getT() <= 1.01 * Axis.length(v) + 1e-3 * s)) {
+        throw new AssertionError(cone + ", " + v + ": " + hit + ", " + numbers);
+      }
+    }
+  }
+
+  /** What floats can make up beside the tip ends at 2⁻¹⁷ of the size, however far away a ray comes from. */
+  @Test
+  void raysBesideTheTipMissItFromAnyDistance() {
+    final RandomNumbers numbers = new RandomNumbers("beside the tip");
+    for (int n = 0; n < RandomNumbers.times(20_000); n++) {
+      final float s = numbers.magnitude(-20, 20);
+      final TruncatedCone cone = new TruncatedCone(new Point3D(0, 0, -s), Z, n % 2 == 0 ? s : 9 * s, 0, 2 * s, Color.RED);
+      final double phi = numbers.between(0, 2 * Math.PI), away = s * numbers.magnitude(0, 30), beside = 2e-5 * s;
+      final double x = Math.cos(phi), y = Math.sin(phi), up = Math.sin(0.1), along = Math.cos(0.1), k = away * along;
+      assertMiss(cone, Ray.exactly(-away * x, -away * y, beside, x, y, 0));
+      assertMiss(cone, Ray.exactly(-k * x - beside * y, -k * y + beside * x, 9 * beside - away * up,
+          along * x, along * y, up));
+    }
+  }
+
+  /** Where disc and side meet, rounding decides which of them is hit; the point is that of the rim in either case. */
+  @Test
+  void raysAtTheRimHitItThereIfTheyHit() {
+    final RandomNumbers numbers = new RandomNumbers("rim of a cone");
+    int hits = 0;
+    for (int i = 0; i < 2000; i++) {
+      final double r = numbers.magnitude(-2, 2), angle = numbers.between(0, 2 * Math.PI);
+      final double x = r * Math.cos(angle), y = r * Math.sin(angle), z = 1.5;
+      final TruncatedCone cone = new TruncatedCone(O, Z, (float) r + 1, (float) r, 3, Color.RED);
+      final Vector3D v = numbers.direction();
+      final double[] d = CrossingOracle.normalised(v.x - 2 * x / r, v.y - 2 * y / r, -2);
+      final Hit hit = cone.intersectionWith(Ray.exactly(x - 10 * d[0], y - 10 * d[1], z - 10 * d[2], d[0], d[1], d[2]));
+      if (hit.hits() && Math.abs(hit.distance() - 10) < 1e-9) {
+        hits++;
+        assertEquals(x, hit.pointX(), 1e-6, () -> hit + ", " + numbers);
+        assertEquals(y, hit.pointY(), 1e-6, () -> hit + ", " + numbers);
+        assertEquals(z, hit.pointZ(), 1e-6, () -> hit + ", " + numbers);
+      }
+    }
+    assertTrue(hits > 500, "hits: " + hits);
+  }
+
+  /** An end too narrow for any computation is hit as a tip is, also exactly along the axis. */
+  @Test
+  void anEndOfVanishingRadiusIsHit() {
+    for (final float r : new float[] {1e-18f, 1e-30f, Float.MIN_VALUE}) {
+      for (final boolean atA : new boolean[] {true, false}) {
+        final TruncatedCone cone = new TruncatedCone(new Point3D(0, 0, atA ? 1 : -1), Z, atA ? r : 2, atA ? 2 : r, 2,
+            Color.RED);
+        final float up = atA ? -1 : 1;
+        assertHit(5, O, new Vector3D(0, 0, up), cone, new Ray(new Point3D(0, 0, 5 * up), new Vector3D(0, 0, -up)));
+        assertEquals(2, cone.intersectionWith(new Ray(new Point3D(0, 0, -2 * up - up), new Vector3D(0, 0, up))).getT() + 1,
+            1e-6);
+        assertTrue(cone.intersectionWith(new Ray(new Point3D(0, 0, -up), new Vector3D(0, 0, up))).hits());
+      }
+    }
+  }
+
   @Test
   void theNormalAtTheTipPointsAwayFromTheCone() {
     assertHit(5, O, Z, TIP, new Ray(new Point3D(0, 0, 5), new Vector3D(0, 0, -1)));

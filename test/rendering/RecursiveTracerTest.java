@@ -39,7 +39,7 @@ import radiometry.SpectrumRGB;
 import tracer.Hit;
 import tracer.Ray;
 
-/** Illumination agrees with {@link RecursiveTracer} in scenes with everything: materials, bent normals, lights, recursion. */
+/** Illumination agrees with {@link RecursiveTracer} in scenes of all materials and lights, with bent normals. */
 class RecursiveTracerTest {
 
   private static final Color SKY = new Color(120, 160, 200);
@@ -86,7 +86,8 @@ class RecursiveTracerTest {
   }
 
   private static LightGroup lights() {
-    final LightGroup lights = new LightGroup(new Omnidirectional(new Point3D(3, 6, 4), new SpectrumRGB(0.4f, 0.3f, 0.3f), 120));
+    final LightGroup lights = new LightGroup();
+    lights.addLight(new Omnidirectional(new Point3D(3, 6, 4), new SpectrumRGB(0.4f, 0.3f, 0.3f), 120));
     lights.addLight(new Spot(new Point3D(-4, 5, 3), new Point3D(0, 0, 0), 40, new SpectrumRGB(0.6f, 0.3f, 0.1f), 90));
     lights.addLight(new Directional(new Point3D(0, 9, -3), new Point3D(0, 0, 0), 4, new SpectrumRGB(0, 0.25f, 0.75f), 40));
     return lights;
