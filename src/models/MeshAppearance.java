@@ -1,5 +1,7 @@
 package models;
 
+import static arguments.Arguments.index;
+
 import java.awt.Color;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -31,6 +33,9 @@ final class MeshAppearance {
 
   /** One of a list for each triangle of arrays, by the numbers that the triangles had before some were left out. */
   static MeshAppearance of(final List<Appearance> appearances, final int[] given, final MeshArrays arrays) {
+    for (int i = 0; i < given.length; i++) {
+      index("ofTriangle[" + i + "]", appearances.size(), given[i]);
+    }
     final int[] ofTriangle = new int[arrays.size()];
     for (int i = 0; i < ofTriangle.length; i++) {
       ofTriangle[i] = given[arrays.given(i)];

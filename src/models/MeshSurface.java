@@ -22,6 +22,11 @@ final class MeshSurface {
     this.texCoords = null;
   }
 
+  /** The surface of data, which are rounded to floats. */
+  MeshSurface(final MeshData data) {
+    this(data, MeshArrays.rounded(data));
+  }
+
   /** The surface of arrays that were rounded from data. */
   MeshSurface(final MeshData data, final MeshArrays arrays) {
     this.tree = new MeshTree(arrays);
@@ -38,8 +43,18 @@ final class MeshSurface {
     return texCoords != null && texCoords.has(facet);
   }
 
+  /**
+   * The hit of a triangle by a ray that is known to hit it. The distance is computed once more, as in a transformed mesh it
+   * was rounded on its way through the scene.
+   */
+  Hit hit(final Ray ray, final int facet, final Triangle triangle) {
+    final double distance = triangle.distance(ray.startX(), ray.startY(), ray.startZ(),
+        ray.directionX(), ray.directionY(), ray.directionZ());
+    return shaded(triangle.hitAt(ray, distance, 0), facet, ray, distance);
+  }
+
   /** A hit with what the mesh adds to that of its triangle. */
-  Hit shaded(final Hit flat, final int facet, final Ray ray, final double distance) {
+  private Hit shaded(final Hit flat, final int facet, final Ray ray, final double distance) {
     if (normals == null && texCoords == null || !flat.hits()) {
       return flat;
     }

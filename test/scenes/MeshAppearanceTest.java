@@ -262,6 +262,19 @@ class MeshAppearanceTest {
     }
   }
 
+  /** Two triangles whose corners all have the normal (0.6, 0, 0.8); the fourth vertex stands up. */
+  @ParameterizedTest
+  @CsvSource({"'', 0.6, 0.8", "<flat>false</flat>, 0.6, 0.8", "<flat>true</flat>, 0, 1",
+      "<flat>true</flat><promediatedNormals>true</promediatedNormals>, 0, 1",
+      "<promediatedNormals>true</promediatedNormals>, 0.3162278, 0.9486833"})
+  void normalsAreThoseOfTheFileOfTheFacetsOrTheirAverages(final String model, final double x, final double z) {
+    final Hit hit = hit(read("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv 2 0 1\nvn 1.2 0 1.6\nf 1//1 2//1 3//1\nf 2//1 4//1 3//1\n",
+        model, "<color>1 0 0</color>"), 0.9999, 0);
+    assertEquals(x, Math.abs(hit.normalX()), 1e-4);
+    assertEquals(z, hit.normalZ(), 1e-4);
+    assertEquals(1, hit.geometricZ(), 1e-7);
+  }
+
   private static String moved(final double[][] vertices, final double dx, final double dy, final double dz) {
     final StringBuilder text = new StringBuilder();
     for (final double[] p : vertices) {

@@ -1,0 +1,53 @@
+package models;
+
+import java.util.AbstractList;
+import java.util.Objects;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.atomic.AtomicReferenceArray;
+
+/**
+ * The triangles of a mesh as objects, in the order of its facets. Each is made when it is first asked for, and is the same
+ * object from then on, whatever thread asks.
+ */
+final class MeshTriangles extends AbstractList<Triangle> {
+
+  private final MeshSurface surface;
+  private final MeshAppearance appearance;
+  private final AtomicReference<AtomicReferenceArray<Triangle>> made = new AtomicReference<>();
+
+  MeshTriangles(final MeshSurface surface, final MeshAppearance appearance) {
+    this.surface = surface;
+    this.appearance = appearance;
+  }
+
+  @Override
+  public Triangle get(final int index) {
+    return of(Objects.checkIndex(index, size()));
+  }
+
+  @Override
+  public int size() {
+    return surface.tree().size();
+  }
+
+  /** The triangle of a facet. */
+  Triangle of(final int facet) {
+    AtomicReferenceArray<Triangle> triangles = made.get();
+    if (triangles == null) {
+      made.compareAndSet(null, new AtomicReferenceArray<>(size()));
+      triangles = made.get();
+    }
+    final Triangle known = triangles.get(facet);
+    if (known != null) {
+      return known;
+    }
+    triangles.compareAndSet(facet, null, surface.tree().triangle(facet, appearanceOf(facet)));
+    return triangles.get(facet);
+  }
+
+  /** The appearance of a triangle, without the texture if a corner does not lie in it. */
+  private Appearance appearanceOf(final int facet) {
+    final Appearance its = appearance.of(facet);
+    return surface.hasTexCoords(facet) ? its : its.untextured();
+  }
+}
