@@ -39,6 +39,7 @@ public class Image extends BufferedImage {
    * @throws IllegalArgumentException if there is no pixel, if there are more than an array can hold, or if the background is
    *     null
    */
+  @SuppressWarnings("this-escape") // The raster is complete once the constructor of BufferedImage has returned.
   public Image(final int W, final int H, final Color background) {
     super(positive("W", W), height(W, H), TYPE_INT_ARGB);
     this.background = notNull("background", background).getRGB();

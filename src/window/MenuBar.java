@@ -27,8 +27,8 @@ final class MenuBar extends JMenuBar {
 
   private final transient RenderWindow window;
   private final JMenu recent = menu("recent");
-  private final Map<RenderPass, JMenuItem> passes = new EnumMap<>(RenderPass.class);
-  private final Map<Integer, JMenuItem> samples = new HashMap<>();
+  private final transient Map<RenderPass, JMenuItem> passes = new EnumMap<>(RenderPass.class);
+  private final transient Map<Integer, JMenuItem> samples = new HashMap<>();
 
   MenuBar(final RenderWindow window) {
     this.window = window;
