@@ -19,7 +19,7 @@ import primitives.BoundingBox;
 public final class RayTile extends TileRays {
 
   /** Greatest number of columns and of rows. */
-  public static final int SIZE = 16;
+  public static final int SIZE = 32;
 
   /** What the rays were put in as, and {@link #close()} has still to do for them. */
   private enum Kind { NONE, RAW, UNIT, EXACT, PENCIL }

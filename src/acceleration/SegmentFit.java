@@ -3,10 +3,10 @@ package acceleration;
 /** Finds the pyramid or prism of the segments of a {@link SegmentTile}, and the place of each in its raster. */
 final class SegmentFit {
 
-  private static final int MOST = RayTile.SIZE * RayTile.SIZE;
+  private static final int MOST = SegmentTile.MOST;
 
   /** Last column and row of the raster. */
-  private static final int LAST = RayTile.SIZE - 1;
+  private static final int LAST = SegmentTile.SIZE - 1;
 
   /** Least extent of the raster, as a slope or relative to the starts' distances. */
   private static final double LEAST_EXTENT = 1e-6;

@@ -20,12 +20,13 @@ import primitives.BoundingBox;
  */
 public final class SegmentTile extends TileRays {
 
-  /** Number of segments, and of blocks and of segments in a block. */
-  private static final int MOST = RayTile.SIZE * RayTile.SIZE;
-  private static final int BLOCK = 16;
+  /** Greatest number of columns and of rows of pixels whose segments have room, and of the raster. */
+  public static final int SIZE = 16;
 
-  /** Number of columns and of rows of the raster. */
-  private static final int RASTER = RayTile.SIZE;
+  /** Number of segments in a block, and of blocks. */
+  public static final int BLOCK = 16;
+
+  static final int MOST = SIZE * SIZE;
 
   private final double[] length = new double[MOST];
   private final double[] column = new double[MOST];
@@ -54,11 +55,12 @@ public final class SegmentTile extends TileRays {
   /**
    * Number of the segment of a pixel.
    *
-   * @param pixel number of the pixel in its tile, column + SIZE · row
+   * @param pixel number of the pixel in a {@link RayTile}; those of {@link #SIZE} × {@link #SIZE} pixels differ
    * @return the number, 0 … 255
    */
   public static int number(final int pixel) {
-    return pixel & 3 | pixel >> 2 & 0xc | (pixel & 0xc) << 2 | pixel & 0xc0;
+    final int column = pixel % RayTile.SIZE, row = pixel / RayTile.SIZE;
+    return column & 3 | (row & 3) << 2 | (column & 0xc) << 2 | (row & 0xc) << 4;
   }
 
   /** Removes all segments. */
@@ -101,7 +103,7 @@ public final class SegmentTile extends TileRays {
       return false;
     }
     final boolean possible = fit.fit();
-    frustum().encloseRaster(possible, RASTER);
+    frustum().encloseRaster(possible, SIZE);
     if (possible) {
       for (int block = 0; block < open.length; block++) {
         bound(block);

@@ -1,6 +1,5 @@
 package models;
 
-import acceleration.RayTile;
 import acceleration.SegmentTile;
 
 /**
@@ -54,11 +53,11 @@ final class MeshShadow extends MeshLeaves {
     final double ex = s * (by * cz - bz * cy), ey = s * (bz * cx - bx * cz), ez = s * (bx * cy - by * cx);
     final double fx = s * (cy * az - cz * ay), fy = s * (cz * ax - cx * az), fz = s * (cx * ay - cy * ax);
     final double gx = s * (ay * bz - az * by), gy = s * (az * bx - ax * bz), gz = s * (ax * by - ay * bx);
-    for (int block = 0; block < RayTile.SIZE; block++) {
+    for (int block = 0; block < SegmentTile.BLOCK; block++) {
       int mask = segments.candidates(block);
       if (mask != 0 && !doubtful) {
         int inside = 0;
-        for (int k = 0, i = block * RayTile.SIZE; k < RayTile.SIZE; k++, i++) {
+        for (int k = 0, i = block * SegmentTile.BLOCK; k < SegmentTile.BLOCK; k++, i++) {
           final double dx = segments.directionX(i), dy = segments.directionY(i), dz = segments.directionZ(i);
           final long signs = Double.doubleToRawLongBits(dx * ex + dy * ey + dz * ez + doubt)
               | Double.doubleToRawLongBits(dx * fx + dy * fy + dz * fz + doubt)
@@ -68,7 +67,7 @@ final class MeshShadow extends MeshLeaves {
         mask &= inside;
       }
       for (; mask != 0; mask &= mask - 1) {
-        final int i = block * RayTile.SIZE + Integer.numberOfTrailingZeros(mask);
+        final int i = block * SegmentTile.BLOCK + Integer.numberOfTrailingZeros(mask);
         final double sx = segments.startX(i), sy = segments.startY(i), sz = segments.startZ(i);
         if (mesh.blocks(place, sx, sy, sz, segments.directionX(i), segments.directionY(i), segments.directionZ(i),
             mesh.error(sx, sy, sz), tile.limit(i))) {

@@ -25,11 +25,11 @@ public final class ShadowTile {
   private static final int QUARTERS = 4;
 
   private final SegmentTile segments = new SegmentTile();
-  private final Ray[] rays = new Ray[RayTile.SIZE * RayTile.SIZE];
-  private final double[] lengths = new double[RayTile.SIZE * RayTile.SIZE];
-  private final double[] limits = new double[RayTile.SIZE * RayTile.SIZE];
-  private final boolean[] present = new boolean[RayTile.SIZE * RayTile.SIZE];
-  private final boolean[] blocked = new boolean[RayTile.SIZE * RayTile.SIZE];
+  private final Ray[] rays = new Ray[SegmentTile.SIZE * SegmentTile.SIZE];
+  private final double[] lengths = new double[SegmentTile.SIZE * SegmentTile.SIZE];
+  private final double[] limits = new double[SegmentTile.SIZE * SegmentTile.SIZE];
+  private final boolean[] present = new boolean[SegmentTile.SIZE * SegmentTile.SIZE];
+  private final boolean[] blocked = new boolean[SegmentTile.SIZE * SegmentTile.SIZE];
 
   private int count;
   private int visited;
@@ -112,9 +112,9 @@ public final class ShadowTile {
   }
 
   private void findOneByOne(final Group3D scene) {
-    for (int block = 0; block < RayTile.SIZE; block++) {
+    for (int block = 0; block < SegmentTile.BLOCK; block++) {
       for (int bits = segments.open(block); bits != 0; bits &= bits - 1) {
-        final int i = block * RayTile.SIZE + Integer.numberOfTrailingZeros(bits);
+        final int i = block * SegmentTile.BLOCK + Integer.numberOfTrailingZeros(bits);
         blocked[i] = scene.intersectAny(rays[i], limits[i]);
       }
     }
@@ -175,9 +175,9 @@ public final class ShadowTile {
 
   /** Asks an object about all rays on which the frustum's last projection may lie. */
   void ask(final Object3D object) {
-    for (int block = 0; block < RayTile.SIZE; block++) {
+    for (int block = 0; block < SegmentTile.BLOCK; block++) {
       for (int bits = segments.candidates(block); bits != 0; bits &= bits - 1) {
-        final int i = block * RayTile.SIZE + Integer.numberOfTrailingZeros(bits);
+        final int i = block * SegmentTile.BLOCK + Integer.numberOfTrailingZeros(bits);
         if (segments.isCandidate(i) && object.intersectsBefore(rays[i], limits[i])) {
           block(i);
         }

@@ -1,6 +1,7 @@
 package rendering;
 
 import acceleration.RayTile;
+import acceleration.SegmentTile;
 import models.TileHits;
 import tracer.Hit;
 import tracer.Ray;
@@ -21,11 +22,11 @@ final class LitTile {
     this.tracer = illumination.tracer();
   }
 
-  /** Finds the hits of all pixels and which of their shadow rays are blocked. */
-  void prepare(final TileHits hits, final int width, final int height) {
+  /** Finds the hits of a rectangle of pixels, no larger than {@link SegmentTile#SIZE}, and which shadow rays are blocked. */
+  void prepare(final TileHits hits, final int first, final int width, final int height) {
     tracer.clearShadows();
     for (int row = 0; row < height; row++) {
-      for (int i = row * RayTile.SIZE; i < row * RayTile.SIZE + width; i++) {
+      for (int i = first + row * RayTile.SIZE; i < first + row * RayTile.SIZE + width; i++) {
         found[i] = Hit.NOHIT;
         if (hits.hits(i)) {
           rays[i] = hits.ray(i);

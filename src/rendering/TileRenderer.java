@@ -5,6 +5,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 
 import acceleration.RayTile;
+import acceleration.SegmentTile;
 import models.Group3D;
 import models.TileHits;
 import tracer.Hit;
@@ -12,7 +13,7 @@ import tracer.Ray;
 import tracer.RayGenerator;
 
 /**
- * One synthesis of an image: its tiles of 16 × 16 pixels, shared out among threads that each take the next one. Every pixel
+ * One synthesis of an image: its tiles of 32 × 32 pixels, shared out among threads that each take the next one. Every pixel
  * depends on its own ray alone, so the threads need to agree on nothing but who computes which tile.
  */
 public final class TileRenderer {
@@ -91,11 +92,10 @@ public final class TileRenderer {
       if (wanted) {
         scene.closestHits(rays, hits);
       }
-      if (lit != null) {
-        lit.prepare(hits, width, height);
-      }
-      for (int row = 0; row < height; row++) {
-        paint(hits, lit, row * RayTile.SIZE, width, (H - 1 - n - row) * W + m);
+      if (lit == null) {
+        paint(hits, null, 0, width, height, (H - 1 - n) * W + m);
+      } else {
+        paintLit(hits, lit, width, height, (H - 1 - n) * W + m);
       }
     } catch (RuntimeException | StackOverflowError e) {
       throw new FailureLocator(scene, generator, picture).explain(e, m, n, width, height);
@@ -105,7 +105,26 @@ public final class TileRenderer {
     }
   }
 
-  private void paint(final TileHits hits, final LitTile lit, final int first, final int width, final int at) {
+  /** Lights and paints parts of a tile: as many pixels at a time as have their shadow rays asked together. */
+  private void paintLit(final TileHits hits, final LitTile lit, final int width, final int height, final int at) {
+    for (int row = 0; row < height; row += SegmentTile.SIZE) {
+      for (int column = 0; column < width; column += SegmentTile.SIZE) {
+        final int first = row * RayTile.SIZE + column;
+        final int across = Math.min(SegmentTile.SIZE, width - column), up = Math.min(SegmentTile.SIZE, height - row);
+        lit.prepare(hits, first, across, up);
+        paint(hits, lit, first, across, up, at - row * W + column);
+      }
+    }
+  }
+
+  private void paint(final TileHits hits, final LitTile lit, final int first, final int width, final int height,
+      final int at) {
+    for (int row = 0; row < height; row++) {
+      paintRow(hits, lit, first + row * RayTile.SIZE, width, at - row * W);
+    }
+  }
+
+  private void paintRow(final TileHits hits, final LitTile lit, final int first, final int width, final int at) {
     if (picture instanceof ColourWriter colours && (lit != null || colours.isPlain())) {
       for (int i = first; i < first + width; i++) {
         if (lit != null && lit.hits(i)) {

@@ -37,10 +37,10 @@ class PencilTest {
       final double h = 2 * Math.tan(Math.toRadians(fov / 2)), w = h * Math.pow(10, 2 * random.nextDouble() - 1);
       columns = centres(w, W);
       rows = centres(h, H);
-      m = random.nextInt((W + 15) / 16) * 16;
-      n = random.nextInt((H + 15) / 16) * 16;
+      m = random.nextInt((W + RayTile.SIZE - 1) / RayTile.SIZE) * RayTile.SIZE;
+      n = random.nextInt((H + RayTile.SIZE - 1) / RayTile.SIZE) * RayTile.SIZE;
       pencil = new Pencil(start, frame[0], frame[1], frame[2]);
-      tile.open(Math.min(16, W - m), Math.min(16, H - n));
+      tile.open(Math.min(RayTile.SIZE, W - m), Math.min(RayTile.SIZE, H - n));
       tile.fill(pencil, columns, m, rows, n);
       tile.close();
     }
@@ -218,12 +218,12 @@ class PencilTest {
       tile.open(2, 2);
       tile.fill(pencil, centres, 0, centres, 0);
       tile.close();
-      assertEquals(5, tile.startX(17));
+      assertEquals(5, tile.startX(RayTile.SIZE + 1));
       tile.open(2, 2);
-      tile.put(17, 1, 2, 3, 0, 0, 1);
+      tile.put(RayTile.SIZE + 1, 1, 2, 3, 0, 0, 1);
       tile.close();
-      assertEquals(1, tile.startX(17));
-      assertFalse(tile.isPresent(16));
+      assertEquals(1, tile.startX(RayTile.SIZE + 1));
+      assertFalse(tile.isPresent(RayTile.SIZE));
     }
   }
 }

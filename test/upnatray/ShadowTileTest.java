@@ -74,22 +74,21 @@ class ShadowTileTest {
     tile.clear();
     final int m = random.nextInt(W - 15), n = random.nextInt(H - 15);
     for (int i = 0; i < 256; i++) {
-      final Hit hit = scene.intersectionWith(generator.getRay(m + i % RayTile.SIZE, n + i / RayTile.SIZE));
+      final Hit hit = scene.intersectionWith(generator.getRay(m + i % 16, n + i / 16));
       if (hit.hits()) {
         final double[] v = source.from(random, hit);
         final double length = Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
         final boolean outside = v[0] * hit.geometricX() + v[1] * hit.geometricY() + v[2] * hit.geometricZ() > 0;
         rays[i] = hit.leave(outside || random.nextInt(10) == 0, v[0] / length, v[1] / length, v[2] / length);
         limits[i] = length * (1 - 1e-9);
-        tile.put(i, rays[i], length, limits[i]);
+        tile.put(pixel(i), rays[i], length, limits[i]);
       }
     }
     tile.findBlocked(scene);
     for (int i = 0; i < 256; i++) {
-      assertEquals(rays[i] != null, tile.holds(i));
+      assertEquals(rays[i] != null, tile.holds(pixel(i)));
       final boolean expected = rays[i] != null && scene.intersectAny(rays[i], limits[i]);
-      final int pixel = i;
-      assertEquals(expected, tile.isBlocked(i), () -> "pixel " + pixel + ", " + rays[pixel] + " to " + limits[pixel]
+      assertEquals(expected, tile.isBlocked(pixel(i)), "pixel " + i + ", " + rays[i] + " to " + limits[i]
           + (source.directed ? ", directed" : ", spread " + source.spread));
       asked += rays[i] != null ? 1 : 0;
       blocked += expected ? 1 : 0;
@@ -104,6 +103,11 @@ class ShadowTileTest {
       compare(random, scene.scene, RandomView.camera(random, scene, unit), new Source(random, unit));
     });
     assertTrue(asked > 30_000 && blocked > 5000 && blocked < asked - 5000, () -> blocked + " of " + asked);
+  }
+
+  /** The number in a tile of rays of a pixel of 16 × 16. */
+  private static int pixel(final int i) {
+    return i / 16 * RayTile.SIZE + i % 16;
   }
 
   private static Light light(final Random random, final RandomScene scene) {
@@ -143,14 +147,16 @@ class ShadowTileTest {
 
   @Test
   void theNumbersOfSegmentsAreThoseOfPixelsInAnotherOrder() {
-    final boolean[] seen = new boolean[256];
-    for (int i = 0; i < 256; i++) {
-      seen[SegmentTile.number(i)] = true;
-      final int first = SegmentTile.number(i / 64 * 64 + i % 16 / 4 * 4);
-      assertEquals(first / 16, SegmentTile.number(i) / 16, "block of pixel " + i);
-    }
-    for (final boolean one : seen) {
-      assertTrue(one);
+    for (final int corner : new int[] {0, 16, 16 * RayTile.SIZE}) {
+      final boolean[] seen = new boolean[256];
+      for (int i = 0; i < 256; i++) {
+        final int number = SegmentTile.number(corner + pixel(i));
+        seen[number] = true;
+        assertEquals(SegmentTile.number(pixel(i / 64 * 64 + i % 16 / 4 * 4)) / 16, number / 16, "block of pixel " + i);
+      }
+      for (final boolean one : seen) {
+        assertTrue(one);
+      }
     }
   }
 }
