@@ -5,13 +5,19 @@ import static arguments.Arguments.notNull;
 import java.awt.Color;
 import java.lang.reflect.Modifier;
 import java.util.List;
+import java.util.Map;
 import java.util.StringJoiner;
+import java.util.TreeSet;
 
+import javax.vecmath.TexCoord2f;
 import javax.vecmath.Tuple3f;
 
 import materials.Material;
 import materials.Texture;
+import models.FacetArguments;
+import models.Group3D;
 import models.Object3D;
+import models.Triangle;
 import models.TriangularMesh;
 import tracer.Hit;
 import tracer.Ray;
@@ -20,8 +26,9 @@ import tracer.Ray;
  * Writes a JUnit 5 test method that recreates the ray and the object of a pixel and asserts the hit. All names are fully
  * qualified, so it compiles wherever it is pasted.
  *
- * <p>The object is recreated from {@link Object3D#constructorArguments}; of a mesh, only the triangle that was hit. If an
- * object does not provide them, the test fails with a message that asks for it.
+ * <p>The object is recreated from {@link Object3D#constructorArguments}; of a mesh, only the triangle that was hit, with the
+ * normals and texture coordinates of its corners. Textures are replaced by one of a single texel. If an object does not
+ * provide its arguments, the test fails with a message that asks for it.
  */
 public final class JUnitTestWriter {
 
@@ -81,12 +88,17 @@ public final class JUnitTestWriter {
         + number(TOLERANCE * size) + ");");
     text.add(assertions + "assertEquals(0, hit.getNormal().angle(" + tuple("primitives.Vector3D", hit.getNormal())
         + "), 1e-3f);");
+    if (!Double.isNaN(hit.textureU())) {
+      text.add(assertions + "assertEquals(" + hit.textureU() + ", hit.textureU(), 1e-3);");
+      text.add(assertions + "assertEquals(" + hit.textureV() + ", hit.textureV(), 1e-3);");
+    }
   }
 
   /** The expression that recreates an object; for a group, the contained object that was hit. */
   private String object(final Object3D object) {
-    if (object instanceof TriangularMesh && intersection.hit().hits()) {
-      return object(intersection.hit().getObject());
+    if (object instanceof TriangularMesh mesh && intersection.hit().getObject() instanceof Triangle triangle) {
+      final List<Object> shaded = FacetArguments.of(mesh, triangle);
+      return shaded.isEmpty() ? object(triangle) : expression(TriangularMesh.class.getName(), shaded);
     }
     final List<Object> arguments = object.constructorArguments();
     if (arguments.isEmpty() && !object.parts().isEmpty()) {
@@ -98,11 +110,31 @@ public final class JUnitTestWriter {
       return "org.junit.jupiter.api.Assertions.fail(\"make the " + simple + " here, or write "
           + simple + ".constructorArguments\")";
     }
+    return expression(name, arguments);
+  }
+
+  private String expression(final String name, final List<Object> arguments) {
     final StringJoiner list = new StringJoiner("," + NEW_LINE + "        ", "new " + name + "(", ")");
     for (final Object argument : arguments) {
       list.add(argument(argument));
     }
     return list.toString();
+  }
+
+  private String map(final Map<?, ?> map) {
+    final StringJoiner entries = new StringJoiner(", ", "java.util.Map.of(", ")");
+    for (final Object key : new TreeSet<Object>(map.keySet())) {
+      entries.add(key + ", " + argument(map.get(key)));
+    }
+    return entries.toString();
+  }
+
+  private static String list(final List<?> texts) {
+    final StringJoiner elements = new StringJoiner(", ", "java.util.List.of(", ")");
+    for (final Object text : texts) {
+      elements.add("\"" + text + "\"");
+    }
+    return elements.toString();
   }
 
   private String argument(final Object argument) {
@@ -122,8 +154,17 @@ public final class JUnitTestWriter {
     if (argument instanceof Material material) {
       return argument(material.getColor());
     }
-    if (argument instanceof Texture texture) {
-      return argument(texture.getMeanColor());
+    if (argument instanceof Texture) {
+      return "new materials.Texture(new java.awt.image.BufferedImage(1, 1, 2))";
+    }
+    if (argument instanceof TexCoord2f uv) {
+      return "new javax.vecmath.TexCoord2f(" + number(uv.x) + ", " + number(uv.y) + ")";
+    }
+    if (argument instanceof Map<?, ?> map) {
+      return map(map);
+    }
+    if (argument instanceof List<?> list) {
+      return list(list);
     }
     return String.valueOf(argument);
   }

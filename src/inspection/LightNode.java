@@ -13,10 +13,11 @@ import tracer.Ray;
  * A surface in the tree of a pixel's light, with what its lights contribute and the rays that leave it.
  *
  * @param surface the surface, its ray and the weight of that
+ * @param sceneObject the object of the scene that has the surface, such as a mesh or a transformed object
  * @param lights what becomes of each light there
  * @param branches the ideally reflected and refracted rays
  */
-public record LightNode(LightObserver.Surface surface, List<Lamp> lights, List<Branch> branches) {
+public record LightNode(LightObserver.Surface surface, Object3D sceneObject, List<Lamp> lights, List<Branch> branches) {
 
   /**
    * A light at the surface.
@@ -31,10 +32,11 @@ public record LightNode(LightObserver.Surface surface, List<Lamp> lights, List<B
    * An object between a surface and a light.
    *
    * @param object the object
+   * @param sceneObject the object of the scene that contains it, or the object itself
    * @param point the point where it blocks the shadow ray
    * @param t distance of that point along the shadow ray
    */
-  public record Blocker(Object3D object, Point3D point, float t) {
+  public record Blocker(Object3D object, Object3D sceneObject, Point3D point, float t) {
   }
 
   /**
@@ -62,6 +64,7 @@ public record LightNode(LightObserver.Surface surface, List<Lamp> lights, List<B
    * Copies the lists.
    *
    * @param surface the surface, its ray and the weight of that
+   * @param sceneObject the object of the scene that has the surface
    * @param lights what becomes of each light there
    * @param branches the ideally reflected and refracted rays
    */

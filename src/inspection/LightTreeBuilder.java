@@ -28,6 +28,7 @@ final class LightTreeBuilder implements LightObserver {
   }
 
   private final Group3D scene;
+  private final SceneObjects objects;
   private final Map<Ray, Draft> surfaces = new IdentityHashMap<>();
   private final Map<Ray, RadianceRGB> backgrounds = new IdentityHashMap<>();
   private Draft root;
@@ -35,6 +36,7 @@ final class LightTreeBuilder implements LightObserver {
 
   LightTreeBuilder(final Group3D scene) {
     this.scene = scene;
+    this.objects = new SceneObjects(scene);
   }
 
   @Override
@@ -53,7 +55,8 @@ final class LightTreeBuilder implements LightObserver {
   private Optional<LightNode.Blocker> blocker(final Contribution contribution) {
     final Hit hit = scene.intersectionWith(contribution.shadowRay());
     return hit.hits() && hit.distance() < contribution.distance()
-        ? Optional.of(new LightNode.Blocker(hit.getObject(), hit.getPoint(), hit.getT())) : Optional.empty();
+        ? Optional.of(new LightNode.Blocker(hit.getObject(), objects.of(contribution.shadowRay(), hit), hit.getPoint(),
+            hit.getT())) : Optional.empty();
   }
 
   @Override
@@ -78,7 +81,7 @@ final class LightTreeBuilder implements LightObserver {
       branches.add(new LightNode.Branch(specular, product(draft.surface.weight(), specular.factor()), target,
           Optional.ofNullable(backgrounds.get(specular.ray()))));
     }
-    return new LightNode(draft.surface, draft.lights, branches);
+    return new LightNode(draft.surface, objects.of(draft.surface.ray(), draft.surface.hit()), draft.lights, branches);
   }
 
   private static RadianceRGB product(final RadianceRGB a, final RadianceRGB b) {

@@ -81,8 +81,27 @@ public final class Texture {
    * @return sRGB with alpha in the highest byte
    */
   public int getARGB(final double u, final double v) {
-    final int column = index(u, width), row = height - 1 - index(v, height);
-    return texels[row * width + column];
+    return texels[getRow(v) * width + getColumn(u)];
+  }
+
+  /**
+   * The column of the texel at a place.
+   *
+   * @param u first coordinate, to the right; its integer part is without effect
+   * @return 0 … width − 1, from the left
+   */
+  public int getColumn(final double u) {
+    return index(u, width);
+  }
+
+  /**
+   * The row of the texel at a place.
+   *
+   * @param v second coordinate, upwards; its integer part is without effect
+   * @return 0 … height − 1, from the top
+   */
+  public int getRow(final double v) {
+    return height - 1 - index(v, height);
   }
 
   /** The index of a coordinate among the texels of a row or column; the fraction of a tiny negative number rounds to 1. */

@@ -1,5 +1,7 @@
 package models;
 
+import primitives.Vector3D;
+
 /**
  * The normals that shade the corners of a mesh, interpolated between them (Phong, "Illumination for computer generated
  * pictures", CACM 18(6), 1975). They are those of the front, which the winding of the triangle decides: where the three of a
@@ -41,6 +43,14 @@ final class CornerNormals {
       z += normal < 0 ? 0 : values[normal + 2];
     }
     return x * (uy * vz - uz * vy) + y * (uz * vx - ux * vz) + z * (ux * vy - uy * vx) < 0;
+  }
+
+  /** The normal of a corner of a triangle, on its front; null if it has none. */
+  Vector3D normal(final int facet, final int k) {
+    final int corner = corners[3 * facet + k], at = 3 * (Math.abs(corner) - 1);
+    return corner == 0 ? null
+        : new Vector3D(Math.signum(corner) * values[at], Math.signum(corner) * values[at + 1],
+            Math.signum(corner) * values[at + 2]);
   }
 
   /**

@@ -1,5 +1,7 @@
 package models;
 
+import javax.vecmath.TexCoord2f;
+
 /** The texture coordinates of the corners of a mesh. */
 final class CornerTexCoords {
 
@@ -19,6 +21,12 @@ final class CornerTexCoords {
   /** Whether all three corners of a triangle have texture coordinates. */
   boolean has(final int facet) {
     return corners[3 * facet] >= 0 && corners[3 * facet + 1] >= 0 && corners[3 * facet + 2] >= 0;
+  }
+
+  /** The texture coordinates of a corner of a triangle; null if it has none. */
+  TexCoord2f pair(final int facet, final int k) {
+    final int pair = corners[3 * facet + k];
+    return pair < 0 ? null : new TexCoord2f((float) values[2 * pair], (float) values[2 * pair + 1]);
   }
 
   /** The weighted u, 0, or v, 1, of a triangle's corners; NaN if one has none. */

@@ -1,5 +1,8 @@
 package models;
 
+import javax.vecmath.TexCoord2f;
+
+import primitives.Vector3D;
 import tracer.Hit;
 import tracer.Ray;
 
@@ -51,6 +54,16 @@ final class MeshSurface {
     final double distance = triangle.distance(ray.startX(), ray.startY(), ray.startZ(),
         ray.directionX(), ray.directionY(), ray.directionZ());
     return shaded(triangle.hitAt(ray, distance, 0), facet, ray, distance);
+  }
+
+  /** The normal that shades a corner, 0, 1 or 2, of a triangle; null if it has none of its own. */
+  Vector3D normal(final int facet, final int k) {
+    return normals == null ? null : normals.normal(facet, k);
+  }
+
+  /** The texture coordinates of a corner, 0, 1 or 2, of a triangle; null if it has none. */
+  TexCoord2f texCoord(final int facet, final int k) {
+    return texCoords == null ? null : texCoords.pair(facet, k);
   }
 
   /** A hit with what the mesh adds to that of its triangle. */

@@ -22,6 +22,11 @@ final class MeshTriangle extends Triangle {
   }
 
   @Override
+  Texture texture() {
+    return texture;
+  }
+
+  @Override
   boolean isTextured() {
     return true;
   }

@@ -45,6 +45,21 @@ final class MeshTriangles extends AbstractList<Triangle> {
     return triangles.get(facet);
   }
 
+  /** The facet of a triangle; −1 if it is none of these. */
+  int facetOf(final Triangle triangle) {
+    final AtomicReferenceArray<Triangle> triangles = made.get();
+    for (int facet = 0; triangles != null && triangle != null && facet < triangles.length(); facet++) {
+      if (triangles.get(facet) == triangle) {
+        return facet;
+      }
+    }
+    return -1;
+  }
+
+  MeshSurface surface() {
+    return surface;
+  }
+
   /** The appearance of a triangle, without the texture if a corner does not lie in it. */
   private Appearance appearanceOf(final int facet) {
     final Appearance its = appearance.of(facet);

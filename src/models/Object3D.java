@@ -9,6 +9,7 @@ import java.util.List;
 import acceleration.RayTile;
 import acceleration.TileWindow;
 import materials.Material;
+import materials.Texture;
 import primitives.BoundingBox;
 import tracer.Hit;
 import tracer.Ray;
@@ -248,6 +249,11 @@ public abstract class Object3D {
   /** Finds the rays of a tile that the object blocks, among those on which the frustum's last projection may lie. */
   void block(final ShadowTile tile) {
     tile.ask(this);
+  }
+
+  /** The texture; null, as by default, if there is none. */
+  Texture texture() {
+    return null;
   }
 
   /** Whether the colour of this object depends on where it is hit; a class may say so by overriding {@link #getColorAt}. */

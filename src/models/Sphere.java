@@ -117,6 +117,11 @@ public class Sphere extends Object3D {
   }
 
   @Override
+  Texture texture() {
+    return texture;
+  }
+
+  @Override
   boolean isTextured() {
     return texture != null;
   }

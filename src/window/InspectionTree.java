@@ -18,6 +18,8 @@ import inspection.Numbers;
 import inspection.PixelRay;
 import models.Object3D;
 import models.SphereTrace;
+import models.TextureLookup;
+import models.Weights;
 import tracer.Hit;
 import tracer.Ray;
 
@@ -103,12 +105,13 @@ final class InspectionTree {
     final DefaultMutableTreeNode node = node("inspect.intersections", hits, inspection.tests());
     int number = 0;
     for (final Intersection intersection : intersections) {
-      node.add(intersection(intersection, ++number));
+      node.add(intersection(intersection, ++number, inspection.pixel()));
     }
     return node;
   }
 
-  private static DefaultMutableTreeNode intersection(final Intersection intersection, final int number) {
+  private static DefaultMutableTreeNode intersection(final Intersection intersection, final int number,
+      final PixelRay pixel) {
     final String name = intersection.name().isEmpty() ? "" : " \u201c" + intersection.name() + "\u201d";
     final String t = intersection.hit().hits() ? "t = " + Numbers.text(intersection.hit().getT())
         : Messages.text("window.inspect.noHit");
@@ -119,12 +122,27 @@ final class InspectionTree {
       add(node, "\u26a0 " + Messages.text("window.violation." + violation, intersection.failure()));
     }
     addHit(node, intersection.hit());
+    addTriangle(node, intersection, pixel);
     add(node, intersection.object().toString());
     for (final LocalRay frame : intersection.localRays()) {
       node.add(frame(frame));
     }
     intersection.trace().ifPresent(trace -> node.add(trace(trace)));
     return node;
+  }
+
+  /** The triangle of a mesh that was hit, and what its corners count there. */
+  private static void addTriangle(final DefaultMutableTreeNode node, final Intersection intersection, final PixelRay pixel) {
+    final List<LocalRay> frames = intersection.localRays();
+    final LocalRay innermost = frames.isEmpty() ? null : frames.get(frames.size() - 1);
+    final Hit hit = innermost == null ? intersection.hit() : innermost.hit();
+    Weights.of(innermost == null ? pixel.ray() : innermost.ray(), hit).ifPresent(weights -> {
+      if (hit.getObject() != intersection.object()) {
+        add(node, hit.getObject().toString());
+      }
+      node.add(node("inspect.weights", LightLines.number(weights.a()), LightLines.number(weights.b()),
+          LightLines.number(weights.c())));
+    });
   }
 
   private static void addRay(final DefaultMutableTreeNode node, final Ray ray) {
@@ -149,6 +167,8 @@ final class InspectionTree {
       final Color color = hit.getObject().getColorAt(hit);
       node.add(node("inspect.texture", Numbers.text((float) hit.textureU()), Numbers.text((float) hit.textureV()),
           colour(color.getRGB())));
+      TextureLookup.of(hit).ifPresent(texel -> node.add(node("inspect.texel", texel.column(), texel.row(),
+          texel.texture().getWidth(), texel.texture().getHeight(), colour(texel.argb()))));
     }
   }
 

@@ -57,8 +57,8 @@ final class LightLines {
   }
 
   private DefaultMutableTreeNode surface(final LightNode node) {
-    final Object3D object = node.surface().hit().getObject();
-    final String text = Messages.text("window.light.surface", name(object), text(node.radiance()));
+    final String text = Messages.text("window.light.surface", name(node.surface().hit().getObject(), node.sceneObject()),
+        text(node.radiance()));
     final DefaultMutableTreeNode root = new DefaultMutableTreeNode(
         new RayLine(List.of(LightRays.of(node)), node, Optional.empty(), text));
     root.add(line("light.material", node.surface().material().getClass().getSimpleName(),
@@ -72,15 +72,16 @@ final class LightLines {
     return root;
   }
 
-  private String name(final Object3D object) {
-    final String name = names.getOrDefault(object, "");
+  private String name(final Object3D object, final Object3D sceneObject) {
+    final String name = names.getOrDefault(sceneObject, "");
     return object.getClass().getSimpleName() + (name.isEmpty() ? "" : " \u201c" + name + "\u201d");
   }
 
   private DefaultMutableTreeNode lamp(final LightNode node, final LightNode.Lamp lamp) {
     final LightObserver.Contribution given = lamp.contribution();
     final boolean blocked = given.outcome() == LightObserver.Outcome.BLOCKED;
-    final String first = blocked ? lamp.blocker().map(by -> name(by.object())).orElse("?") : text(given.radiance());
+    final String first = blocked ? lamp.blocker().map(by -> name(by.object(), by.sceneObject())).orElse("?")
+        : text(given.radiance());
     final String point = lamp.blocker().map(by -> Numbers.text(by.point())).orElse("?");
     final boolean isIdeal = given.outcome() == LightObserver.Outcome.NOT_REFLECTED && !node.surface().material().scatters();
     final String outcome = Messages.text("window.light." + (isIdeal ? "onlyIdeal" : given.outcome()), first, point);

@@ -280,7 +280,8 @@ final class PictureView extends Drawing {
         new Dimension(picture.getWidth(), picture.getHeight()));
     painter.paintGround(getBackground(), hasPicture);
     if (hasPicture) {
-      painter.paint(preview == null ? picture : preview, rendering || preview != null);
+      final BufferedImage shown = preview == null ? picture : preview;
+      painter.paint(shown, rendering || shown.getWidth() != picture.getWidth());
       if (overlay != null) {
         painter.paint(overlay, false);
       }

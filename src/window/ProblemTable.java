@@ -1,6 +1,7 @@
 package window;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.util.ArrayList;
 import java.util.List;
@@ -9,6 +10,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.table.AbstractTableModel;
+import javax.swing.table.TableColumn;
 
 import arguments.Messages;
 import diagnostics.Problem;
@@ -20,6 +22,8 @@ final class ProblemTable extends JPanel {
 
   private static final String[] COLUMNS = {"kind", "file", "line", "column", "message"};
   private static final int[] WIDTHS = {70, 160, 60, 80, 800};
+
+  private static final int HEADER_MARGIN = 4;
 
   private static final class Rows extends AbstractTableModel {
 
@@ -73,12 +77,20 @@ final class ProblemTable extends JPanel {
     table.getAccessibleContext().setAccessibleName(Messages.text("window.problems.name"));
     table.setFillsViewportHeight(true);
     for (int i = 0; i < WIDTHS.length; i++) {
-      table.getColumnModel().getColumn(i).setPreferredWidth(WIDTHS[i]);
+      final TableColumn column = table.getColumnModel().getColumn(i);
+      column.setPreferredWidth(WIDTHS[i]);
+      column.setMinWidth(headerWidth(i));
     }
     table.getColumnModel().getColumn(WIDTHS.length - 1).setCellRenderer(new WrappedText());
     add(new JScrollPane(table));
     setPreferredSize(new Dimension(600, 120));
     setVisible(false);
+  }
+
+  private int headerWidth(final int column) {
+    final Component header = table.getTableHeader().getDefaultRenderer().getTableCellRendererComponent(table,
+        table.getColumnName(column), false, false, -1, column);
+    return header.getPreferredSize().width + HEADER_MARGIN;
   }
 
   void show(final List<Problem> problems) {

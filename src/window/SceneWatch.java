@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 
 /**
  * Watches files and reports changes. It polls them, which works on every file system and also notices files that an editor
@@ -37,7 +38,12 @@ final class SceneWatch {
     }
   }
 
+  /** Files to be watched, and since when, in ms since 1970. */
+  private record Wanted(List<Path> files, long since) {
+  }
+
   private final Runnable listener;
+  private final AtomicReference<Wanted> wanted = new AtomicReference<>();
   private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(job -> {
     final Thread thread = new Thread(job, "scene watch");
     thread.setDaemon(true);
@@ -55,27 +61,31 @@ final class SceneWatch {
 
   /** Sets the files to be watched, without waiting for them. */
   void watch(final Collection<Path> files) {
-    final List<Path> next = List.copyOf(files);
-    final long asked = System.currentTimeMillis();
+    wanted.set(new Wanted(List.copyOf(files), System.currentTimeMillis()));
     if (!clock.isShutdown()) {
-      clock.execute(() -> replace(next, asked));
+      clock.execute(this::replace);
     }
   }
 
   /** A file that is found to have changed since its watching was asked for counts as changed. */
-  private void replace(final List<Path> files, final long asked) {
-    states.keySet().retainAll(files);
-    for (final Path file : files) {
+  private void replace() {
+    final Wanted next = wanted.getAndSet(null);
+    if (next == null) {
+      return;
+    }
+    states.keySet().retainAll(next.files);
+    for (final Path file : next.files) {
       if (!states.containsKey(file)) {
         final State now = State.of(file);
         states.put(file, now);
-        unsettled |= now.time.toMillis() > asked - CLOCK_TICK_MS;
+        unsettled |= now.time.toMillis() > next.since - CLOCK_TICK_MS;
       }
     }
   }
 
   /** Reports a change once two successive polls agree, so that a file is not read while it is being written. */
   private void poll() {
+    replace();
     if (hasSettled()) {
       listener.run();
     }

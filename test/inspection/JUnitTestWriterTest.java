@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
+import java.awt.image.BufferedImage;
 import java.io.StringWriter;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
@@ -15,18 +16,25 @@ import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
+import javax.vecmath.TexCoord2f;
+import javax.vecmath.Vector3f;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.opentest4j.AssertionFailedError;
 
+import materials.Texture;
+import models.AffineTransformation;
 import models.Object3D;
 import models.Sphere;
+import models.TriangularMesh;
 import primitives.Point3D;
+import primitives.Vector3D;
 import scenes.SceneFile;
 import scenes.SceneReader;
 import tracer.Hit;
@@ -89,6 +97,52 @@ class JUnitTestWriterTest {
     }
     assertEquals(SampleScenes.everyShape().length, methods.size());
     assertEquals(methods.size(), run(compiled(methods)));
+  }
+
+  /** Two triangles of a smooth mesh with a texture, flat ones with one, and smooth ones without. */
+  private static List<TriangularMesh> shadedMeshes() {
+    final Map<Integer, Point3D> vertices = Map.of(1, new Point3D(-1, -1, 0), 2, new Point3D(1, -1, 0.2f),
+        3, new Point3D(1, 1, 0), 4, new Point3D(-1, 1, 0.1f));
+    final Map<Integer, Vector3D> normals = Map.of(1, new Vector3D(-1, -1, 3), 2, new Vector3D(1, -1, 3));
+    final Map<Integer, TexCoord2f> uv = Map.of(1, new TexCoord2f(0, 0), 2, new TexCoord2f(2, 0), 3, new TexCoord2f(2, 1.5f),
+        4, new TexCoord2f(0, 1.5f));
+    final Texture texture = new Texture(new BufferedImage(3, 2, BufferedImage.TYPE_INT_RGB));
+    return List.of(
+        new TriangularMesh(vertices, normals, uv, List.of("1/1/1 2/2/2 3/3", "1/1/1 3/3 4/4"), texture),
+        new TriangularMesh(vertices, Map.of(), uv, List.of("1/1 2/2 3/3", "1/1 3/3 4/4"), texture),
+        new TriangularMesh(vertices, normals, List.of("1//1 2//2 3", "1//1 3 4"), Color.PINK));
+  }
+
+  @Test
+  void theTestOfAShadedTriangleRecreatesItsNormalsAndTextureCoordinates() throws Exception {
+    for (final TriangularMesh mesh : shadedMeshes()) {
+      final Object3D turned = new AffineTransformation(new Vector3f(1, 2, 1), new Vector3f(1, 1, 0), 30,
+          new Vector3f(0.2f, 0, -1), mesh);
+      for (final Object3D object : List.of(mesh, turned)) {
+        final Inspector inspector = new Inspector(SampleScenes.of(SampleScenes.perspective(), true, object), W, H);
+        final Set<String> methods = new LinkedHashSet<>();
+        for (int m = 0; m < W; m += 5) {
+          for (int n = 0; n < H; n += 7) {
+            final Inspection inspection = inspector.inspect(m, n);
+            inspection.winner().ifPresent(winner -> methods.add(JUnitTestWriter.of(inspection, winner)));
+          }
+        }
+        assertTrue(methods.size() > 3, methods::toString);
+        assertEquals(methods.size(), run(compiled(methods)));
+      }
+    }
+  }
+
+  @Test
+  void theTestOfATexturedBallCompilesAndPasses() throws Exception {
+    final Sphere ball = new Sphere(new Point3D(), 1, new Texture(new BufferedImage(4, 2, BufferedImage.TYPE_INT_RGB)));
+    final Inspection inspection = new Inspector(SampleScenes.of(SampleScenes.perspective(), true, ball), W, H)
+        .inspect(W / 2 - 3, H / 2 + 4);
+    final String text = JUnitTestWriter.of(inspection, inspection.winner().orElseThrow());
+    assertTrue(text.contains("hit.textureV()"), text);
+    assertEquals(1, run(compiled(List.of(text))));
+    final Object wrong = compiled(List.of(text.replace("hit.textureV()", "hit.textureV() + 0.01")));
+    assertTrue(assertThrows(InvocationTargetException.class, () -> run(wrong)).getCause() instanceof AssertionFailedError);
   }
 
   @Test

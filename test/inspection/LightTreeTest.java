@@ -7,9 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Color;
 import java.awt.geom.Point2D;
 import java.util.EnumMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+
+import javax.vecmath.Vector3f;
 
 import org.junit.jupiter.api.Test;
 
@@ -21,10 +25,13 @@ import materials.IdealConductor;
 import materials.IdealDielectric;
 import materials.Lambertian;
 import materials.ReflectiveCookTorrance;
+import models.AffineTransformation;
 import models.Box;
 import models.Group3D;
+import models.Object3D;
 import models.Plane;
 import models.Sphere;
+import models.TriangularMesh;
 import primitives.Point3D;
 import primitives.Vector3D;
 import radiometry.RadianceRGB;
@@ -153,6 +160,62 @@ class LightTreeTest {
       }
     }
     assertTrue(blocked > 0);
+  }
+
+  /** The lights at a mirror and at glass bring nothing, for a reason that is reported. */
+  @Test
+  void everyLightIsListedAtEverySurface() {
+    final SceneFile scene = lit(new Perspective(45, 4f / 3));
+    final Inspector inspector = new Inspector(scene, W, H);
+    int ideal = 0;
+    for (int i = 0; i < W * H; i++) {
+      final Optional<LightNode> root = inspector.inspect(i % W, i / W).light().map(PixelLight::root);
+      ideal += root.map(LightTreeTest::countAndCheckIdeal).orElse(0);
+    }
+    assertTrue(ideal > 100, "ideal surfaces: " + ideal);
+  }
+
+  private static int countAndCheckIdeal(final LightNode node) {
+    assertEquals(2, node.lights().size());
+    final boolean isIdeal = !node.surface().material().scatters();
+    for (final LightNode.Lamp lamp : node.lights()) {
+      final LightObserver.Outcome outcome = lamp.contribution().outcome();
+      assertTrue(!isIdeal || outcome == LightObserver.Outcome.NOT_REFLECTED || outcome == LightObserver.Outcome.BEHIND
+          || outcome == LightObserver.Outcome.OUTSIDE_FIELD, outcome::toString);
+      assertTrue(!isIdeal || lamp.contribution().radiance().getR() == 0);
+    }
+    return (isIdeal ? 1 : 0) + node.branches().stream().flatMap(branch -> branch.target().stream())
+        .mapToInt(LightTreeTest::countAndCheckIdeal).sum();
+  }
+
+  /** A triangle of a mesh and a transformed ball belong to objects of the scene, as surfaces and as what blocks a light. */
+  @Test
+  void surfacesAndBlockersBelongToObjectsOfTheScene() {
+    final TriangularMesh mesh = TriangularMesh.of(new float[] {-2, 0, -2, 2, 0, -2, 2, 0, 2, -2, 0, 2},
+        new int[] {0, 2, 1, 0, 3, 2}, Color.GRAY);
+    final AffineTransformation ball = new AffineTransformation(new Vector3f(0, 1, 0), 40,
+        new Sphere(new Point3D(0, 1.5f, 0), 0.5f, Color.RED));
+    final Group3D within = new Group3D(), objects = new Group3D();
+    within.addObject(ball);
+    objects.addObject(mesh);
+    objects.addObject(within);
+    final Camera camera = new Camera(new Point3D(0, 2.5f, 6), new Point3D(0, 0.5f, 0), new Vector3D(0, 1, 0));
+    camera.setProjection(new Perspective(45, 4f / 3));
+    final SceneFile scene = new SceneFile("", W, H, Color.BLUE, new Lighting(true, false,
+        new LightGroup(new Omnidirectional(new Point3D(0, 5, 0), WARM, 60)), 1, 0), camera, objects, Map.of(), Set.of());
+    final Inspector inspector = new Inspector(scene, W, H);
+    int blocked = 0;
+    final Set<Object3D> surfaces = new HashSet<>();
+    for (int i = 0; i < W * H; i++) {
+      final Optional<LightNode> root = inspector.inspect(i % W, i / W).light().map(PixelLight::root);
+      root.ifPresent(node -> surfaces.add(node.sceneObject()));
+      if (root.isPresent() && root.get().sceneObject() == mesh && root.get().lights().get(0).blocker().isPresent()) {
+        assertSame(ball, root.get().lights().get(0).blocker().get().sceneObject());
+        blocked++;
+      }
+    }
+    assertEquals(Set.of(mesh, ball), surfaces);
+    assertTrue(blocked > 5, "blocked: " + blocked);
   }
 
   @Test
