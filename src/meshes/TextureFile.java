@@ -54,7 +54,8 @@ public final class TextureFile {
     final ImageReader reader = ImageIO.getImageReadersByFormatName(format).next();
     try (ImageInputStream in = ImageIO.createImageInputStream(file.toFile())) {
       reader.setInput(in, false, true);
-      return new Texture(image(reader, format));
+      final BufferedImage image = image(reader, format);
+      return new Texture(format.equals("png") ? TransparentGrey.corrected(file, image) : image);
     } catch (final UnusableException known) {
       throw known;
     } catch (final IOException | RuntimeException damaged) {
