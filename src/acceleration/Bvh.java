@@ -216,23 +216,26 @@ public final class Bvh {
    * @param leaves whoever owns the primitives
    */
   public void closest(final TileFrustum frustum, final Leaves leaves) {
-    closest(frustum, Double.POSITIVE_INFINITY, leaves);
+    visitLeaves(frustum, null, Double.POSITIVE_INFINITY, leaves);
   }
 
   /**
-   * Visits the leaves that the rays of a tile may meet before a distance.
+   * Visits the leaves that may block segments of a tile, the nearer child of a node first.
    *
-   * @param frustum the frustum of the tile, which must be fitted
-   * @param limit distance from the frustum's origin, along its axis, beyond which nothing matters from the beginning
+   * @param segments the segments, which must be enclosed
    * @param leaves whoever owns the primitives
    */
-  public void closest(final TileFrustum frustum, final double limit, final Leaves leaves) {
+  public void block(final SegmentTile segments, final Leaves leaves) {
+    visitLeaves(segments.frustum(), segments, segments.limit(), leaves);
+  }
+
+  private void visitLeaves(final TileFrustum frustum, final SegmentTile segments, final double limit, final Leaves leaves) {
     if (isEmpty()) {
       return;
     }
     final float[] outer = frustum.sides().prepared();
     if (frustum.prepare(whole)) {
-      visitLeaves(frustum, limit, leaves);
+      visitLeaves(frustum.sides(), segments, Math.nextUp((float) limit), leaves);
     } else {
       leaves.visit(0, size);
     }
@@ -241,19 +244,21 @@ public final class Bvh {
     }
   }
 
-  private void visitLeaves(final TileFrustum frustum, final double limit, final Leaves leaves) {
-    final TileSides sides = frustum.sides();
+  /** See above; with segments, boxes that none of them meets are left out. */
+  private void visitLeaves(final TileSides sides, final SegmentTile segments, final float limit, final Leaves leaves) {
     final int[] stack = new int[depth + 1];
     int top = 0, node = root;
-    float farthest = Math.nextUp((float) limit);
+    float farthest = limit;
     while (true) {
       if (node < 0) {
         farthest = Math.nextUp((float) visit(node, leaves));
       } else {
         final int a = node * 12, b = a + 6;
         final float nearA = sides.nearest(boxes, a), nearB = sides.nearest(boxes, b);
-        final boolean meetsA = !(nearA > farthest) && !sides.isOutside(boxes, a);
-        final boolean meetsB = !(nearB > farthest) && !sides.isOutside(boxes, b);
+        final boolean meetsA = !(nearA > farthest) && !sides.isOutside(boxes, a)
+            && (segments == null || segments.mayMeet(boxes, a));
+        final boolean meetsB = !(nearB > farthest) && !sides.isOutside(boxes, b)
+            && (segments == null || segments.mayMeet(boxes, b));
         if (meetsA && meetsB) {
           final int nearer = nearB < nearA ? 1 : 0;
           stack[top++] = links[2 * node + 1 - nearer];

@@ -7,11 +7,12 @@ import primitives.BoundingBox;
 /**
  * The segments from up to 256 points to one light, asked together whether anything lies on them. Seen from the light they
  * are the rays of a pyramid that end at the points; if all have one direction, a prism. Either is enclosed by a
- * {@link TileFrustum}, whose columns and rows form a raster before the light, and each segment has its place there; so
- * what is projected onto a part of the raster can lie only on the segments that have their place in that part.
+ * {@link TileFrustum}, whose columns and rows form a raster before the light, and each segment has its place there and, in a
+ * pyramid, its depth. {@link SegmentSets} of the three say at once which segments a part of the raster, from some depth on,
+ * may lie on: the irregular sampling of Johnson et al., "The irregular Z-buffer", ACM Transactions on Graphics 24(4), 2005,
+ * with sets of bits in place of lists.
  *
- * <p>Segments are kept in 16 blocks of 16, of 4 × 4 pixels each, which have much in common. Those that are found to be
- * blocked are dropped. A segment is known by its number, {@link #number}.
+ * <p>Segments that are found to be blocked are dropped.
  *
  * <p>A segment may pass the light by, as it starts beside its point and its numbers are rounded. By how much is measured,
  * and all is conservative: the greatest distance of a line from the light, the displacement, widens the sides of the
@@ -20,60 +21,64 @@ import primitives.BoundingBox;
  */
 public final class SegmentTile extends TileRays {
 
-  /** Greatest number of columns and of rows of pixels whose segments have room, and of the raster. */
+  /** Greatest number of columns and of rows of pixels whose segments have room. */
   public static final int SIZE = 16;
 
-  /** Number of segments in a block, and of blocks. */
-  public static final int BLOCK = 16;
+  /** Greatest number of segments. */
+  public static final int MOST = SIZE * SIZE;
 
-  static final int MOST = SIZE * SIZE;
+  /** Number of longs in a set of segments, a bit for each. */
+  public static final int WORDS = MOST / Long.SIZE;
 
-  private final double[] length = new double[MOST];
-  private final double[] column = new double[MOST];
-  private final double[] row = new double[MOST];
+  /** Bound of the rounding of a depth, relative to the numbers that it is computed of. */
+  private static final double ROUNDING = 0x1p-45;
 
-  /** For each block the segments that are not blocked, as bits, and bounds of what they are. */
-  private final int[] open = new int[MOST / BLOCK];
-  private final double[] leastColumn = new double[MOST / BLOCK];
-  private final double[] mostColumn = new double[MOST / BLOCK];
-  private final double[] leastRow = new double[MOST / BLOCK];
-  private final double[] mostRow = new double[MOST / BLOCK];
-  private final double[] farthest = new double[MOST / BLOCK];
+  final double[] length = new double[MOST];
+  /** Places in the raster, and how far along the axis a segment begins or, in a prism, ends. */
+  final double[] column = new double[MOST];
+  final double[] row = new double[MOST];
+  final double[] depth = new double[MOST];
 
-  private final TileGrid grid = frustum().grid();
-  private final TileWindow window = frustum().window();
-  private final SegmentFit fit = new SegmentFit(this, grid);
-  private double longest;
-  private int first;
+  /** The segments that are not blocked. */
+  private final long[] open = new long[WORDS];
+  private final long[] candidates = new long[WORDS];
+  private final TileFrustum frustum = frustum();
+  private final TileWindow window = frustum.window();
+  private final SegmentFit fit = new SegmentFit(this, frustum.grid());
+
+  /** The segments by column, by row and by level of depth; sorted when they are first asked for. */
+  private final SegmentSets columns = new SegmentSets();
+  private final SegmentSets rows = new SegmentSets();
+  private final SegmentSets levels = new SegmentSets();
+  private boolean sorted;
+
   private int count;
+  private int first;
+  private int end;
+  private double longest;
+
+  /** The depth of level 0, levels to a unit of depth, and the last level that is not empty. */
+  private double leastDepth;
+  private double levelsToDepth;
+  private int deepest;
+
+  /** What is added to depths, so that rounding and displacement hide nothing. */
+  private double shift;
 
   /** An empty tile. */
   public SegmentTile() {
     super(MOST);
   }
 
-  /**
-   * Number of the segment of a pixel.
-   *
-   * @param pixel number of the pixel in a {@link RayTile}; those of {@link #SIZE} × {@link #SIZE} pixels differ
-   * @return the number, 0 … 255
-   */
-  public static int number(final int pixel) {
-    final int column = pixel % RayTile.SIZE, row = pixel / RayTile.SIZE;
-    return column & 3 | (row & 3) << 2 | (column & 0xc) << 2 | (row & 0xc) << 4;
-  }
-
   /** Removes all segments. */
   public void clear() {
     Arrays.fill(open, 0);
     count = 0;
-    longest = 0;
   }
 
   /**
-   * Adds a segment.
+   * Adds a segment, which gets the next number, from 0.
    *
-   * @param i its number
    * @param x first coordinate of its start
    * @param y second coordinate of its start
    * @param z third coordinate of its start
@@ -82,60 +87,55 @@ public final class SegmentTile extends TileRays {
    * @param dz third component of its direction
    * @param itsLength its length, finite
    */
-  public void add(final int i, final double x, final double y, final double z,
-      final double dx, final double dy, final double dz, final double itsLength) {
+  public void add(final double x, final double y, final double z, final double dx, final double dy, final double dz,
+      final double itsLength) {
+    final int i = count++;
     putStart(i, x, y, z);
     putUnitDirection(i, dx, dy, dz);
     length[i] = itsLength;
-    open[i / BLOCK] |= 1 << i % BLOCK;
-    longest = Math.max(longest, itsLength);
-    first = i;
-    count++;
   }
 
   /**
-   * Encloses the segments.
+   * Encloses a range of segments, which alone are looked at from now on.
    *
+   * @param from number of the first
+   * @param to number after the last
    * @return whether that is possible; if not, each has to be asked by itself
    */
-  public boolean close() {
-    if (count < 2) {
-      return false;
+  public boolean close(final int from, final int to) {
+    first = from;
+    end = to;
+    sorted = false;
+    for (int w = 0; w < WORDS; w++) {
+      open[w] = bits(to - Long.SIZE * w) & ~bits(from - Long.SIZE * w);
     }
-    final boolean possible = fit.fit();
-    frustum().encloseRaster(possible, SIZE);
+    final boolean possible = to - from > 1 && fit.fit(from, to);
+    frustum.encloseRaster(possible, SegmentSets.CELLS);
     if (possible) {
-      for (int block = 0; block < open.length; block++) {
-        bound(block);
-      }
+      findDepths();
     }
     return possible;
   }
 
-  private void bound(final int block) {
-    double fromC = Double.POSITIVE_INFINITY, toC = Double.NEGATIVE_INFINITY;
-    double fromR = Double.POSITIVE_INFINITY, toR = Double.NEGATIVE_INFINITY, far = Double.NEGATIVE_INFINITY;
-    for (int bits = open[block]; bits != 0; bits &= bits - 1) {
-      final int i = block * BLOCK + Integer.numberOfTrailingZeros(bits);
-      fromC = Math.min(fromC, column[i]);
-      toC = Math.max(toC, column[i]);
-      fromR = Math.min(fromR, row[i]);
-      toR = Math.max(toR, row[i]);
-      far = Math.max(far, depth(i));
-    }
-    leastColumn[block] = fromC;
-    mostColumn[block] = toC;
-    leastRow[block] = fromR;
-    mostRow[block] = toR;
-    farthest[block] = far;
+  /** The n lowest bits. */
+  private static long bits(final int n) {
+    return n <= 0 ? 0 : n >= Long.SIZE ? -1L : (1L << n) - 1;
   }
 
-  /** How far from the frustum's origin, along the axis, a segment reaches. */
-  private double depth(final int i) {
-    final TileGrid g = grid;
-    final double start = (startX[i] - g.originX) * g.axisX + (startY[i] - g.originY) * g.axisY
-        + (startZ[i] - g.originZ) * g.axisZ;
-    return start + (g.pyramid ? g.displacement : length[i]);
+  private void findDepths() {
+    double least = Double.POSITIVE_INFINITY, most = Double.NEGATIVE_INFINITY, far = 0;
+    for (int i = first; i < end; i++) {
+      final double d = depth[i], l = length[i];
+      least = d < least ? d : least;
+      most = d > most ? d : most;
+      far = l > far ? l : far;
+    }
+    longest = far;
+    final double slack = ROUNDING * far + (frustum.isPyramid() ? displacement() : 0);
+    leastDepth = least - slack;
+    levelsToDepth = SegmentFit.LAST / (most - least + 2 * slack);
+    deepest = SegmentSets.CELLS - 1;
+    shift = slack;
   }
 
   /**
@@ -144,11 +144,14 @@ public final class SegmentTile extends TileRays {
    * @return the distance; negative infinity if all are blocked
    */
   public double limit() {
-    double limit = Double.NEGATIVE_INFINITY;
-    for (int block = 0; block < open.length; block++) {
-      limit = open[block] != 0 ? Math.max(limit, farthest[block]) : limit;
+    while (deepest >= 0 && sorted && !isOpen(levels.from, SegmentSets.WORDS * deepest)) {
+      deepest--;
     }
-    return limit;
+    return deepest < 0 ? Double.NEGATIVE_INFINITY : leastDepth + (deepest + 1) / levelsToDepth + shift;
+  }
+
+  private boolean isOpen(final long[] sets, final int at) {
+    return (open[0] & sets[at] | open[1] & sets[at + 1] | open[2] & sets[at + 2] | open[3] & sets[at + 3]) != 0;
   }
 
   /**
@@ -157,7 +160,7 @@ public final class SegmentTile extends TileRays {
    * @return the displacement
    */
   public double displacement() {
-    return grid.displacement;
+    return frustum.grid().displacement;
   }
 
   /**
@@ -170,44 +173,79 @@ public final class SegmentTile extends TileRays {
   }
 
   /**
-   * The segments of a block that are not blocked and may lie where the frustum's last projection was.
-   *
-   * @param block number of the block, 0 … 15
-   * @return bit k for the segment 16 · block + k
-   */
-  public int candidates(final int block) {
-    return open[block] != 0
-        && window.overlaps(leastColumn[block], mostColumn[block], leastRow[block], mostRow[block]) ? open[block] : 0;
-  }
-
-  /**
-   * All segments of a block that are not blocked.
-   *
-   * @param block number of the block, 0 … 15
-   * @return bit k for the segment 16 · block + k
-   */
-  public int open(final int block) {
-    return open[block];
-  }
-
-  /**
-   * Whether the frustum's last projection may lie on a segment.
-   *
-   * @param i number of the segment
-   * @return false if it does not
-   */
-  public boolean isCandidate(final int i) {
-    return window.contains(column[i], row[i]);
-  }
-
-  /**
    * Finds what a box may block.
    *
    * @param box the box
    * @return whether there may be anything, which {@link #candidates} says
    */
   public boolean project(final BoundingBox box) {
-    return box.isFinite() ? frustum().project(box) : window.all();
+    if (!box.isFinite()) {
+      System.arraycopy(open, 0, candidates, 0, WORDS);
+      return true;
+    }
+    return frustum.project(box) && select(ROUNDING * frustum.greatest(box));
+  }
+
+  /** Whether a box of a tree may block a segment. */
+  boolean mayMeet(final float[] boxes, final int at) {
+    return frustum.project(boxes[at], boxes[at + 1], boxes[at + 2], boxes[at + 3], boxes[at + 4], boxes[at + 5])
+        && select(ROUNDING * frustum.sides().extent());
+  }
+
+  /**
+   * Finds the segments that are not blocked and may lie where the frustum's last projection was.
+   *
+   * @param error bound of what rounding did to its depth
+   * @return whether there may be any, which {@link #candidates} says
+   */
+  public boolean select(final double error) {
+    sort();
+    final double level = (frustum.leastDepth() - error - leastDepth) * levelsToDepth;
+    if (level > SegmentFit.LAST) {
+      return false;
+    }
+    final int l = SegmentSets.WORDS * (int) Math.max(0, level);
+    final int c = SegmentSets.WORDS * (int) Math.max(0, window.leastColumn());
+    final int d = SegmentSets.WORDS * (int) (1 + Math.min(SegmentFit.LAST, window.mostColumn()));
+    final int r = SegmentSets.WORDS * (int) Math.max(0, window.leastRow());
+    final int t = SegmentSets.WORDS * (int) (1 + Math.min(SegmentFit.LAST, window.mostRow()));
+    final long[] inColumns = columns.from, inRows = rows.from, inLevels = levels.from;
+    long any = 0;
+    for (int w = 0; w < WORDS; w++) {
+      final long found = open[w] & inColumns[c + w] & ~inColumns[d + w] & inRows[r + w] & ~inRows[t + w] & inLevels[l + w];
+      candidates[w] = found;
+      any |= found;
+    }
+    return any != 0;
+  }
+
+  private void sort() {
+    if (!sorted) {
+      sorted = true;
+      columns.sort(column, first, end, 0, 1);
+      rows.sort(row, first, end, 0, 1);
+      levels.sort(depth, first, end, leastDepth - shift, levelsToDepth);
+    }
+  }
+
+  /**
+   * The segments that were found last, as bits.
+   *
+   * @param word which 64 of them
+   * @return bit k for the segment 64 · word + k
+   */
+  public long candidates(final int word) {
+    return candidates[word];
+  }
+
+  /**
+   * The segments that are not blocked, as bits.
+   *
+   * @param word which 64 of them
+   * @return bit k for the segment 64 · word + k
+   */
+  public long open(final int word) {
+    return open[word];
   }
 
   /**
@@ -216,31 +254,6 @@ public final class SegmentTile extends TileRays {
    * @param i its number
    */
   public void block(final int i) {
-    open[i / BLOCK] &= ~(1 << i % BLOCK);
-  }
-
-  double length(final int i) {
-    return length[i];
-  }
-
-  int first() {
-    return first;
-  }
-
-  void place(final int i, final double itsColumn, final double itsRow) {
-    column[i] = itsColumn;
-    row[i] = itsRow;
-  }
-
-  double column(final int i) {
-    return column[i];
-  }
-
-  double row(final int i) {
-    return row[i];
-  }
-
-  boolean isOpen(final int i) {
-    return (open[i / BLOCK] >> i % BLOCK & 1) != 0;
+    open[i / Long.SIZE] &= ~(1L << i);
   }
 }

@@ -43,6 +43,9 @@ public final class TileFrustum {
   private double columnMargin;
   private double rowMargin;
 
+  /** Depth of the nearest point of what was projected last; negative infinity if it is not known. */
+  private double leastDepth;
+
   TileFrustum() {
   }
 
@@ -125,25 +128,30 @@ public final class TileFrustum {
    * @return whether there are any; if so, the {@link #window} says which
    */
   boolean project(final BoundingBox box) {
+    return project(box.minX(), box.minY(), box.minZ(), box.maxX(), box.maxY(), box.maxZ());
+  }
+
+  /** The same for the least and the greatest coordinates of a box. */
+  boolean project(final double fromX, final double fromY, final double fromZ,
+      final double toX, final double toY, final double toZ) {
     final TileGrid g = grid;
-    final double x = 0.5 * ((double) box.minX() + box.maxX()) - g.originX, hx = 0.5 * ((double) box.maxX() - box.minX());
-    final double y = 0.5 * ((double) box.minY() + box.maxY()) - g.originY, hy = 0.5 * ((double) box.maxY() - box.minY());
-    final double z = 0.5 * ((double) box.minZ() + box.maxZ()) - g.originZ, hz = 0.5 * ((double) box.maxZ() - box.minZ());
+    final double x = 0.5 * (fromX + toX) - g.originX, hx = 0.5 * (toX - fromX);
+    final double y = 0.5 * (fromY + toY) - g.originY, hy = 0.5 * (toY - fromY);
+    final double z = 0.5 * (fromZ + toZ) - g.originZ, hz = 0.5 * (toZ - fromZ);
     final double depth = g.depthX * x + g.depthY * y + g.depthZ * z + g.depthAt;
     final double reach = Math.abs(g.depthX) * hx + Math.abs(g.depthY) * hy + Math.abs(g.depthZ) * hz;
+    leastDepth = Double.NEGATIVE_INFINITY;
     if (!(depth - reach > least)) {
       return window.all() && depth + reach >= -least;
     }
+    leastDepth = g.pyramid ? depth - reach : Double.NEGATIVE_INFINITY;
+    final double near = 1 / (depth - reach), far = 1 / (depth + reach);
     final double c = g.columnX * x + g.columnY * y + g.columnZ * z + g.columnAt;
     final double overC = Math.abs(g.columnX) * hx + Math.abs(g.columnY) * hy + Math.abs(g.columnZ) * hz;
     final double r = g.rowX * x + g.rowY * y + g.rowZ * z + g.rowAt;
     final double overR = Math.abs(g.rowX) * hx + Math.abs(g.rowY) * hy + Math.abs(g.rowZ) * hz;
-    return limit(quotient(c - overC, depth + reach, depth - reach), quotient(c + overC, depth - reach, depth + reach),
-        quotient(r - overR, depth + reach, depth - reach), quotient(r + overR, depth - reach, depth + reach));
-  }
-
-  private static double quotient(final double number, final double ifPositive, final double ifNegative) {
-    return number / (number > 0 ? ifPositive : ifNegative);
+    return limit(Math.min((c - overC) * near, (c - overC) * far), Math.max((c + overC) * near, (c + overC) * far),
+        Math.min((r - overR) * near, (r - overR) * far), Math.max((r + overR) * near, (r + overR) * far));
   }
 
   /**
@@ -166,9 +174,11 @@ public final class TileFrustum {
     final double a = g.depthX * ax + g.depthY * ay + g.depthZ * az + g.depthAt;
     final double b = g.depthX * bx + g.depthY * by + g.depthZ * bz + g.depthAt;
     final double c = g.depthX * cx + g.depthY * cy + g.depthZ * cz + g.depthAt;
+    leastDepth = Double.NEGATIVE_INFINITY;
     if (!(a > least && b > least && c > least)) {
       return window.all() && !(a < -least && b < -least && c < -least);
     }
+    leastDepth = g.pyramid ? Math.min(a, Math.min(b, c)) : Double.NEGATIVE_INFINITY;
     final double ka = 1 / a, kb = 1 / b, kc = 1 / c;
     final double ca = (g.columnX * ax + g.columnY * ay + g.columnZ * az + g.columnAt) * ka;
     final double cb = (g.columnX * bx + g.columnY * by + g.columnZ * bz + g.columnAt) * kb;
@@ -192,6 +202,17 @@ public final class TileFrustum {
    */
   public TileWindow window() {
     return window;
+  }
+
+  double leastDepth() {
+    return leastDepth;
+  }
+
+  /** Sum of the greatest coordinates of a point of a box, seen from the origin. */
+  double greatest(final BoundingBox box) {
+    return Math.max(Math.abs(box.minX() - grid.originX), Math.abs(box.maxX() - grid.originX))
+        + Math.max(Math.abs(box.minY() - grid.originY), Math.abs(box.maxY() - grid.originY))
+        + Math.max(Math.abs(box.minZ() - grid.originZ), Math.abs(box.maxZ() - grid.originZ));
   }
 
   /**

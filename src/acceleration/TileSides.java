@@ -34,6 +34,7 @@ final class TileSides {
   /** The box last prepared for; null if there was none yet. */
   private float[] prepared;
   private double greatest;
+  private double extent;
 
   /** Takes the sides of a grid of so many columns and rows, whose rays stray by no more than the two margins. */
   void enclose(final TileGrid g, final int columns, final int rows, final double columnMargin, final double rowMargin) {
@@ -77,6 +78,7 @@ final class TileSides {
     final double z = most(whole[2], whole[5], originZ);
     greatest = Math.max(Math.max(left.loosen(x, y, z), right.loosen(x, y, z)),
         Math.max(below.loosen(x, y, z), above.loosen(x, y, z)));
+    extent = x + y + z;
     nearLoose = (float) (-mostAhead - SidePlane.ROUNDING * (x + y + z + mostAhead));
     farLoose = (float) (mostBehind + SidePlane.ROUNDING * (x + y + z + mostBehind));
     return greatest < HUGE && x + y + z + mostAhead + mostBehind < HUGE;
@@ -96,6 +98,11 @@ final class TileSides {
   /** What n·V + c of a side can add up to for a point V of the box last prepared for. */
   double greatest() {
     return greatest;
+  }
+
+  /** Sum of the greatest coordinates of a point of the box last prepared for, seen from the origin. */
+  double extent() {
+    return extent;
   }
 
   /** A distance before which no ray of the tile can be within a box; the box is the one at a place of an array. */

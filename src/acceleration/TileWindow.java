@@ -63,14 +63,20 @@ public final class TileWindow {
     return between || firstColumn <= lastColumn && firstRow <= lastRow;
   }
 
-  /** Whether a place between columns and rows lies in the window. */
-  boolean contains(final double column, final double row) {
-    return column >= leastColumn && column <= mostColumn && row >= leastRow && row <= mostRow;
+  double leastColumn() {
+    return leastColumn;
   }
 
-  /** Whether a rectangle of such places has one in common with the window. */
-  boolean overlaps(final double left, final double right, final double bottom, final double top) {
-    return right >= leastColumn && left <= mostColumn && top >= leastRow && bottom <= mostRow;
+  double mostColumn() {
+    return mostColumn;
+  }
+
+  double leastRow() {
+    return leastRow;
+  }
+
+  double mostRow() {
+    return mostRow;
   }
 
   /**

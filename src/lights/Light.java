@@ -17,7 +17,7 @@ import radiometry.SpectrumRGB;
 public abstract class Light {
 
   /** Limit of irradiances: far beyond any picture, and products with materials do not overflow. */
-  private static final double LARGEST = 0x1p600;
+  static final double LARGEST = 0x1p600;
 
   private final float x;
   private final float y;
@@ -116,6 +116,20 @@ public abstract class Light {
     }
     incidence.setIrradiance(irradiance.getR(), irradiance.getG(), irradiance.getB());
     return irradiance.getR() + irradiance.getG() + irradiance.getB() > 0 && direct(px, py, pz, incidence);
+  }
+
+  /**
+   * For renderers: {@link #illuminate(double, double, double, Incidence)} for each of some points.
+   *
+   * @param n number of points
+   * @param px first coordinates of the points
+   * @param py second coordinates
+   * @param pz third coordinates
+   * @param incidence what the results are written to
+   */
+  public void illuminate(final int n, final double[] px, final double[] py, final double[] pz,
+      final TileIncidence incidence) {
+    incidence.ask(this, n, px, py, pz);
   }
 
   /** Writes direction and distance of the point from which a point is lit; returns false if the two coincide. */

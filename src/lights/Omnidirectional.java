@@ -44,6 +44,12 @@ public final class Omnidirectional extends Light {
   }
 
   @Override
+  public void illuminate(final int n, final double[] px, final double[] py, final double[] pz,
+      final TileIncidence incidence) {
+    incidence.radiate(x, y, z, getPower().getR(), getPower().getG(), getPower().getB(), n, px, py, pz);
+  }
+
+  @Override
   public String toString() {
     return "Omnidirectional(" + getPosition() + ", " + emission() + ")";
   }

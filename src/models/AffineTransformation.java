@@ -353,7 +353,11 @@ public class AffineTransformation extends Object3D {
 
   @Override
   boolean intersectsBefore(final Ray ray, final double tmax) {
-    return asked.intersectsBefore(toObject(ray), tmax * stretch(ray.directionX(), ray.directionY(), ray.directionZ()));
+    final double t = distance(ray.startX(), ray.startY(), ray.startZ(),
+        ray.directionX(), ray.directionY(), ray.directionZ());
+    return Double.isNaN(t)
+        ? asked.intersectsBefore(toObject(ray), tmax * stretch(ray.directionX(), ray.directionY(), ray.directionZ()))
+        : t > 0 && t < tmax;
   }
 
   @Override

@@ -198,14 +198,13 @@ final class FlatGroup {
       segments.project(BoundingBox.UNBOUNDED);
       objects[i].block(tile);
     }
-    tree.closest(segments.frustum(), tile.farthest(), (first, end) -> {
+    tree.block(segments, (first, end) -> {
       for (int i = unbounded + first; i < unbounded + end; i++) {
         if (segments.project(boxes[i])) {
           objects[i].block(tile);
         }
       }
-      tile.visitObjects(end - first);
-      return tile.farthest();
+      return segments.limit();
     });
   }
 

@@ -36,13 +36,13 @@ abstract class MeshLeaves implements Bvh.Leaves {
         test(place, ax, ay, az, bx, by, bz, cx, cy, cz);
       }
     }
-    return farthest(end - first);
+    return farthest();
   }
 
   /** Tests the rays in the frustum's window against a triangle, whose vertices are given less the origin. */
   abstract void test(int place, double ax, double ay, double az, double bx, double by, double bz,
       double cx, double cy, double cz);
 
-  /** What a leaf of so many triangles returns to the tree. */
-  abstract double farthest(int visited);
+  /** The distance beyond which nothing matters any more. */
+  abstract double farthest();
 }

@@ -18,10 +18,14 @@ final class MeshShadow extends MeshLeaves {
   /** Bound of what rounding and the displacement can do to the distance of the light from a triangle's plane. */
   private static final double EDGE_ON = 0x1p-40;
 
+  /** Bound of the rounding of a depth, relative to the greatest coordinate. */
+  private static final double DEPTH = 0x1p-45;
+
   private final ShadowTile tile;
   private final SegmentTile segments;
   private final double doubt;
   private final double edgeOn;
+  private final double depthError;
 
   MeshShadow(final ShadowTile tile, final MeshTree mesh) {
     super(mesh, tile.segments().frustum());
@@ -29,22 +33,25 @@ final class MeshShadow extends MeshLeaves {
     this.segments = tile.segments();
     final double extent = mesh.greatest(x, y, z), length = segments.longest();
     this.doubt = mesh.error(x, y, z) + 2 * WatertightTest.error(extent + length) + 4 * segments.displacement() * extent;
+    this.depthError = DEPTH * extent;
     this.edgeOn = segments.displacement() + EDGE_ON * (extent + length);
   }
 
   void findBlocked() {
-    mesh.closest(frustum, tile.farthest(), this);
+    mesh.block(segments, this);
   }
 
   @Override
-  double farthest(final int visited) {
-    tile.visitTriangles(visited);
-    return tile.farthest();
+  double farthest() {
+    return segments.limit();
   }
 
   @Override
   void test(final int place, final double ax, final double ay, final double az,
       final double bx, final double by, final double bz, final double cx, final double cy, final double cz) {
+    if (!segments.select(depthError)) {
+      return;
+    }
     final double px = bx - ax, py = by - ay, pz = bz - az, qx = cx - ax, qy = cy - ay, qz = cz - az;
     final double nx = py * qz - pz * qy, ny = pz * qx - px * qz, nz = px * qy - py * qx;
     final double plane = ax * nx + ay * ny + az * nz, s = -Math.copySign(1, plane);
@@ -53,24 +60,15 @@ final class MeshShadow extends MeshLeaves {
     final double ex = s * (by * cz - bz * cy), ey = s * (bz * cx - bx * cz), ez = s * (bx * cy - by * cx);
     final double fx = s * (cy * az - cz * ay), fy = s * (cz * ax - cx * az), fz = s * (cx * ay - cy * ax);
     final double gx = s * (ay * bz - az * by), gy = s * (az * bx - ax * bz), gz = s * (ax * by - ay * bx);
-    for (int block = 0; block < SegmentTile.BLOCK; block++) {
-      int mask = segments.candidates(block);
-      if (mask != 0 && !doubtful) {
-        int inside = 0;
-        for (int k = 0, i = block * SegmentTile.BLOCK; k < SegmentTile.BLOCK; k++, i++) {
-          final double dx = segments.directionX(i), dy = segments.directionY(i), dz = segments.directionZ(i);
-          final long signs = Double.doubleToRawLongBits(dx * ex + dy * ey + dz * ez + doubt)
-              | Double.doubleToRawLongBits(dx * fx + dy * fy + dz * fz + doubt)
-              | Double.doubleToRawLongBits(dx * gx + dy * gy + dz * gz + doubt);
-          inside |= (int) (~signs >>> 63) << k;
-        }
-        mask &= inside;
-      }
-      for (; mask != 0; mask &= mask - 1) {
-        final int i = block * SegmentTile.BLOCK + Integer.numberOfTrailingZeros(mask);
-        final double sx = segments.startX(i), sy = segments.startY(i), sz = segments.startZ(i);
-        if (mesh.blocks(place, sx, sy, sz, segments.directionX(i), segments.directionY(i), segments.directionZ(i),
-            mesh.error(sx, sy, sz), tile.limit(i))) {
+    for (int word = 0; word < SegmentTile.WORDS; word++) {
+      for (long bits = segments.candidates(word); bits != 0; bits &= bits - 1) {
+        final int i = word * Long.SIZE + Long.numberOfTrailingZeros(bits);
+        final double dx = segments.directionX(i), dy = segments.directionY(i), dz = segments.directionZ(i);
+        final long signs = Double.doubleToRawLongBits(dx * ex + dy * ey + dz * ez + doubt)
+            | Double.doubleToRawLongBits(dx * fx + dy * fy + dz * fz + doubt)
+            | Double.doubleToRawLongBits(dx * gx + dy * gy + dz * gz + doubt);
+        if ((signs >= 0 || doubtful) && mesh.blocks(place, segments.startX(i), segments.startY(i), segments.startZ(i),
+            dx, dy, dz, tile.limit(i))) {
           tile.block(i);
         }
       }

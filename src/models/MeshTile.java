@@ -47,7 +47,7 @@ final class MeshTile extends MeshLeaves {
   }
 
   @Override
-  double farthest(final int visited) {
+  double farthest() {
     return hits.farthest();
   }
 

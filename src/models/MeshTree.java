@@ -1,6 +1,7 @@
 package models;
 
 import acceleration.Bvh;
+import acceleration.SegmentTile;
 import acceleration.TileFrustum;
 import primitives.BoundingBox;
 import primitives.Point3D;
@@ -103,6 +104,21 @@ final class MeshTree {
     return t > 0 && t < tmax;
   }
 
+  /**
+   * {@link #blocks(int, double, double, double, double, double, double, double, double) The same}, which asks first whether
+   * the triangle's plane lies on the ray: that of the triangle that the ray leaves does not.
+   */
+  boolean blocks(final int place, final double x, final double y, final double z,
+      final double dx, final double dy, final double dz, final double tmax) {
+    final int a = vertex(place, 0), b = vertex(place, 1), c = vertex(place, 2);
+    final double ax = coordinates[a] - x, ay = coordinates[a + 1] - y, az = coordinates[a + 2] - z;
+    final double bx = coordinates[b] - x, by = coordinates[b + 1] - y, bz = coordinates[b + 2] - z;
+    final double cx = coordinates[c] - x, cy = coordinates[c + 1] - y, cz = coordinates[c + 2] - z;
+    final double t = WatertightTest.planeDistance(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz);
+    return t > 0 && t < tmax
+        && WatertightTest.distance(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz, error(x, y, z)) == t;
+  }
+
   void closest(final Ray ray, final Bvh.Leaves leaves) {
     tree.closest(ray.startX(), ray.startY(), ray.startZ(), ray.directionX(), ray.directionY(), ray.directionZ(), leaves);
   }
@@ -116,8 +132,8 @@ final class MeshTree {
     tree.closest(frustum, leaves);
   }
 
-  void closest(final TileFrustum frustum, final double limit, final Bvh.Leaves leaves) {
-    tree.closest(frustum, limit, leaves);
+  void block(final SegmentTile segments, final Bvh.Leaves leaves) {
+    tree.block(segments, leaves);
   }
 
   int facet(final int place) {

@@ -1,8 +1,5 @@
 package models;
 
-import java.util.Arrays;
-
-import acceleration.RayTile;
 import acceleration.SegmentTile;
 import tracer.Ray;
 
@@ -16,23 +13,15 @@ import tracer.Ray;
  */
 public final class ShadowTile {
 
-  /** Triangles for each ray that may be looked at together; if there are more, a part of the rays is quicker. */
-  private static final int WORTHWHILE = 2;
-
-  /** How many triangles an object of a group counts for. */
-  private static final int OBJECT = 4;
-
-  private static final int QUARTERS = 4;
+  /** Fewer rays are asked one by one. */
+  private static final int FEW = 8;
 
   private final SegmentTile segments = new SegmentTile();
-  private final Ray[] rays = new Ray[SegmentTile.SIZE * SegmentTile.SIZE];
-  private final double[] lengths = new double[SegmentTile.SIZE * SegmentTile.SIZE];
-  private final double[] limits = new double[SegmentTile.SIZE * SegmentTile.SIZE];
-  private final boolean[] present = new boolean[SegmentTile.SIZE * SegmentTile.SIZE];
-  private final boolean[] blocked = new boolean[SegmentTile.SIZE * SegmentTile.SIZE];
+  private final Ray[] rays = new Ray[SegmentTile.MOST];
+  private final double[] limits = new double[SegmentTile.MOST];
+  private final boolean[] blocked = new boolean[SegmentTile.MOST];
 
   private int count;
-  private int visited;
 
   /** An empty tile. */
   public ShadowTile() {
@@ -41,27 +30,48 @@ public final class ShadowTile {
   /** Removes all rays. */
   public void clear() {
     count = 0;
-    visited = 0;
     segments.clear();
-    Arrays.fill(present, false);
-    Arrays.fill(blocked, false);
   }
 
   /**
-   * Puts in the shadow ray of a pixel.
+   * Puts in a shadow ray, which gets the next number, from 0.
    *
-   * @param pixel number of the pixel, column + {@link RayTile#SIZE} · row
    * @param ray the ray, towards the light
    * @param distance distance of the light
    * @param tmax the distance before which a hit blocks the light, at most that of the light
    */
-  public void put(final int pixel, final Ray ray, final double distance, final double tmax) {
-    final int i = SegmentTile.number(pixel);
-    rays[i] = ray;
-    limits[i] = tmax;
-    lengths[i] = distance;
-    present[i] = true;
-    add(i);
+  public void put(final Ray ray, final double distance, final double tmax) {
+    put(ray.startX(), ray.startY(), ray.startZ(), ray.directionX(), ray.directionY(), ray.directionZ(), distance, tmax);
+    rays[count - 1] = ray;
+  }
+
+  /**
+   * Puts in a shadow ray as plain numbers.
+   *
+   * @param x first coordinate of the start
+   * @param y second coordinate of the start
+   * @param z third coordinate of the start
+   * @param dx first component of the direction, of unit length
+   * @param dy second component of the direction
+   * @param dz third component of the direction
+   * @param distance distance of the light
+   * @param tmax the distance before which a hit blocks the light, at most that of the light
+   */
+  public void put(final double x, final double y, final double z, final double dx, final double dy, final double dz,
+      final double distance, final double tmax) {
+    segments.add(x, y, z, dx, dy, dz, distance);
+    rays[count] = null;
+    limits[count] = tmax;
+    blocked[count++] = false;
+  }
+
+  /** The ray with a number, made when an object first asks for it. */
+  private Ray ray(final int i) {
+    if (rays[i] == null) {
+      rays[i] = Ray.exactly(segments.startX(i), segments.startY(i), segments.startZ(i),
+          segments.directionX(i), segments.directionY(i), segments.directionZ(i));
+    }
+    return rays[i];
   }
 
   /**
@@ -70,94 +80,32 @@ public final class ShadowTile {
    * @param scene the objects that block them
    */
   public void findBlocked(final Group3D scene) {
-    if (!isFoundTogether(scene)) {
-      for (int quarter = 0; quarter < QUARTERS; quarter++) {
-        takeQuarter(quarter);
-        if (!isFoundTogether(scene)) {
-          findOneByOne(scene);
-        }
+    findBlocked(scene, 0, count);
+  }
+
+  /** Asks about the rays of some numbers together, or if they have neither an end nor a direction in common, by halves. */
+  private void findBlocked(final Object3D scene, final int first, final int end) {
+    if (end - first < FEW) {
+      for (int i = first; i < end; i++) {
+        blocked[i] = scene.intersectsBefore(ray(i), limits[i]);
       }
+    } else if (segments.close(first, end)) {
+      scene.block(this);
+    } else {
+      final int middle = first + end >>> 1;
+      findBlocked(scene, first, middle);
+      findBlocked(scene, middle, end);
     }
-  }
-
-  /** Asks the scene about all segments that are in the tile; returns whether that was not given up. */
-  private boolean isFoundTogether(final Group3D scene) {
-    visited = 0;
-    if (count == 0) {
-      return true;
-    }
-    if (!segments.close()) {
-      return false;
-    }
-    scene.block(this);
-    return !isTooWide();
-  }
-
-  /** Puts the rays of a quarter of the tile, of 8 × 8 pixels, that are not blocked into it. */
-  private void takeQuarter(final int quarter) {
-    segments.clear();
-    count = 0;
-    for (int i = 0; i < rays.length; i++) {
-      if ((i >> 5 & 1 | i >> 6 & 2) == quarter && present[i] && !blocked[i]) {
-        add(i);
-      }
-    }
-  }
-
-  private void add(final int i) {
-    final Ray ray = rays[i];
-    segments.add(i, ray.startX(), ray.startY(), ray.startZ(), ray.directionX(), ray.directionY(), ray.directionZ(),
-        lengths[i]);
-    count++;
-  }
-
-  private void findOneByOne(final Group3D scene) {
-    for (int block = 0; block < SegmentTile.BLOCK; block++) {
-      for (int bits = segments.open(block); bits != 0; bits &= bits - 1) {
-        final int i = block * SegmentTile.BLOCK + Integer.numberOfTrailingZeros(bits);
-        blocked[i] = scene.intersectAny(rays[i], limits[i]);
-      }
-    }
-  }
-
-  /** Counts triangles that were looked at for all rays; if they become too many, the rays have too little in common. */
-  void visitTriangles(final int number) {
-    visited += number;
-  }
-
-  /** Counts objects, as triangles are. */
-  void visitObjects(final int number) {
-    visited += OBJECT * number;
-  }
-
-  /** Whether the rays that are left are better asked one by one. */
-  boolean isTooWide() {
-    return visited > WORTHWHILE * count;
-  }
-
-  /** What is still to be looked at: nothing once it is too much. */
-  double farthest() {
-    return isTooWide() ? Double.NEGATIVE_INFINITY : segments.limit();
   }
 
   /**
-   * Whether the shadow ray of a pixel was put in.
+   * Whether a shadow ray is blocked.
    *
-   * @param pixel number of the pixel
-   * @return false if it was not
+   * @param i number of the ray
+   * @return false if it is not
    */
-  public boolean holds(final int pixel) {
-    return present[SegmentTile.number(pixel)];
-  }
-
-  /**
-   * Whether the shadow ray of a pixel is blocked.
-   *
-   * @param pixel number of the pixel
-   * @return false if it is not, or was not put in
-   */
-  public boolean isBlocked(final int pixel) {
-    return blocked[SegmentTile.number(pixel)];
+  public boolean isBlocked(final int i) {
+    return blocked[i];
   }
 
   SegmentTile segments() {
@@ -173,12 +121,14 @@ public final class ShadowTile {
     segments.block(i);
   }
 
-  /** Asks an object about all rays on which the frustum's last projection may lie. */
+  /** Asks an object about the rays that it may block. */
   void ask(final Object3D object) {
-    for (int block = 0; block < SegmentTile.BLOCK; block++) {
-      for (int bits = segments.candidates(block); bits != 0; bits &= bits - 1) {
-        final int i = block * SegmentTile.BLOCK + Integer.numberOfTrailingZeros(bits);
-        if (segments.isCandidate(i) && object.intersectsBefore(rays[i], limits[i])) {
+    for (int word = 0; word < SegmentTile.WORDS; word++) {
+      for (long bits = segments.candidates(word); bits != 0; bits &= bits - 1) {
+        final int i = word * Long.SIZE + Long.numberOfTrailingZeros(bits);
+        final double t = object.distance(segments.startX(i), segments.startY(i), segments.startZ(i),
+            segments.directionX(i), segments.directionY(i), segments.directionZ(i));
+        if (Double.isNaN(t) ? object.intersectsBefore(ray(i), limits[i]) : t > 0 && t < limits[i]) {
           block(i);
         }
       }

@@ -59,7 +59,7 @@ final class EdgeDetector extends ColourWriter {
   void paint(final int pixel, final LitTile tile, final int i) {
     super.paint(pixel, tile, i);
     objects[pixel] = tile.hit(i).getObject();
-    keepLights(pixel, tile.tracer().lit(), tile.tracer().shadowed());
+    keepLights(pixel, tile.lit(i), tile.shadowed(i));
   }
 
   private void keepLights(final int pixel, final long itsLit, final long itsShadowed) {

@@ -7,11 +7,13 @@ package rendering;
  */
 final class SrgbEncoding {
 
-  /** The least number that is shown as level i + 1. */
-  private static final double[] STEPS = new double[255];
+  private static final int MOST = 255;
+
+  /** The least number that is shown as level i + 1; at the end infinity, as there is no level 256. */
+  private static final double[] STEPS = new double[MOST + 1];
 
   static {
-    for (int level = 1; level <= 255; level++) {
+    for (int level = 1; level <= MOST; level++) {
       double step = decoded((level - 0.5) / 255);
       while (level(step) >= level) {
         step = Math.nextDown(step);
@@ -20,6 +22,26 @@ final class SrgbEncoding {
         step = Math.nextUp(step);
       }
       STEPS[level - 1] = step;
+    }
+    STEPS[MOST] = Double.POSITIVE_INFINITY;
+  }
+
+  /**
+   * Number of equal parts of [0, 1]. They are narrower than the narrowest level, 1 / (255 · 12.92), so that at most one
+   * level ends in each.
+   */
+  private static final int PARTS = 4096;
+
+  /** The level of the least number of each part. */
+  private static final byte[] LEVELS = new byte[PARTS];
+
+  static {
+    int level = 0;
+    for (int part = 0; part < PARTS; part++) {
+      while (STEPS[level] <= (double) part / PARTS) {
+        level++;
+      }
+      LEVELS[part] = (byte) level;
     }
   }
 
@@ -54,17 +76,15 @@ final class SrgbEncoding {
     return NUMBERS[level];
   }
 
-  /** The level of any number: the number of steps up to it. */
+  /** The level of any number, which is cut to [0, 1]: 0 for NaN. */
   static int channel(final double v) {
-    int low = 0, high = 255;
-    while (low < high) {
-      final int middle = low + high >>> 1;
-      if (v >= STEPS[middle]) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
+    if (!(v > 0)) {
+      return 0;
     }
-    return low;
+    if (v >= 1) {
+      return MOST;
+    }
+    final int level = LEVELS[(int) (PARTS * v)] & 0xff;
+    return v >= STEPS[level] ? level + 1 : level;
   }
 }

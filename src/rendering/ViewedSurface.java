@@ -118,4 +118,17 @@ final class ViewedSurface {
   double normalZ() {
     return nz;
   }
+
+  /** g<sub>v</sub>, the geometric normal on the viewer's side. */
+  double geometricX() {
+    return gx;
+  }
+
+  double geometricY() {
+    return gy;
+  }
+
+  double geometricZ() {
+    return gz;
+  }
 }

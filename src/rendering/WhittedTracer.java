@@ -3,7 +3,6 @@ package rendering;
 import static arguments.Arguments.notNull;
 
 import java.awt.Color;
-import java.util.Arrays;
 
 import arguments.Messages;
 import lights.Incidence;
@@ -13,7 +12,6 @@ import materials.SpecularRays;
 import materials.SurfaceInteraction;
 import models.Group3D;
 import models.Object3D;
-import models.ShadowTile;
 import primitives.Point3D;
 import radiometry.RadianceRGB;
 import tracer.Hit;
@@ -31,10 +29,7 @@ final class WhittedTracer {
   private static final double LEAST_WEIGHT = 1e-6;
 
   /** Part of the way to a light in which an object blocks it: what the light itself lies on does not. */
-  private static final double BEFORE_LIGHT = 1 - 1e-9;
-
-  /** Lights whose shadow rays are asked together for a tile. */
-  private static final int MOST_SHADOW_TILES = 64;
+  static final double BEFORE_LIGHT = 1 - 1e-9;
 
   private final Group3D scene;
   private final Light[] lights;
@@ -46,18 +41,7 @@ final class WhittedTracer {
   private final SpecularRays specular = new SpecularRays();
   private final ViewedSurface surface = new ViewedSurface();
 
-  /**
-   * For each of the first lights the shadow rays of the tile at hand, made for the first tile; those of further lights are
-   * asked one by one, so that many lights do not take much memory.
-   */
-  private ShadowTile[] shadows = {};
-  /** The pixel that is traced; −1 if it belongs to no tile. */
-  private int pixel = -1;
-
-  private Ray[] waiting = new Ray[16];
-  private int[] depths = new int[16];
-  private double[] weights = new double[3 * 16];
-  private int end;
+  private final RayStack waiting = new RayStack();
 
   /** Reports to the observer; null without one, so that unobserved rays allocate nothing for it. */
   private TraceReport report;
@@ -105,29 +89,35 @@ final class WhittedTracer {
   /** Finds the radiance of a ray of depth 0 from its closest hit. */
   void trace(final Ray first, final Hit hit, final LightObserver observer) {
     report = observer == LightObserver.NONE ? null : new TraceReport(observer, incidence, interaction, specular);
-    pixel = -1;
-    trace(first, hit);
+    begin(first, 0, 0, 0);
+    follow(hit);
+    followWaiting();
   }
 
-  /** Finds the radiance of the ray of a pixel whose shadows are known: see {@link #castShadows}. */
-  void trace(final int itsPixel, final Ray first, final Hit hit) {
+  /** Finds the radiance of a ray of depth 0 from its closest hit and what the lights bring there. */
+  void traceSpecular(final Ray first, final Hit hit, final Material material, final double lr, final double lg,
+      final double lb) {
     report = null;
-    pixel = itsPixel;
-    trace(first, hit);
+    begin(first, lr, lg, lb);
+    view(hit);
+    makeRays(material);
+    followWaiting();
   }
 
-  private void trace(final Ray first, final Hit hit) {
-    r = 0;
-    g = 0;
-    b = 0;
+  private void begin(final Ray first, final double lr, final double lg, final double lb) {
+    r = lr;
+    g = lg;
+    b = lb;
     lit = 0;
     shadowed = 0;
-    end = 0;
+    waiting.clear();
     take(first, 0, 1, 1, 1);
-    follow(hit);
-    while (end > 0) {
-      end--;
-      take(waiting[end], depths[end], weights[3 * end], weights[3 * end + 1], weights[3 * end + 2]);
+  }
+
+  private void followWaiting() {
+    while (!waiting.isEmpty()) {
+      final Ray next = waiting.pop();
+      take(next, waiting.depth(), waiting.weight(0), waiting.weight(1), waiting.weight(2));
       follow(closestHit());
     }
   }
@@ -158,49 +148,6 @@ final class WhittedTracer {
     b += db;
   }
 
-  /** Forgets the shadow rays of the tile before. */
-  void clearShadows() {
-    if (shadows.length == 0) {
-      shadows = new ShadowTile[Math.min(lights.length, MOST_SHADOW_TILES)];
-      Arrays.setAll(shadows, i -> new ShadowTile());
-    }
-    for (final ShadowTile shadow : shadows) {
-      shadow.clear();
-    }
-  }
-
-  /** Casts the shadow rays of a pixel's first hit, to be asked together with those of other pixels of its tile. */
-  void castShadows(final int itsPixel, final Ray first, final Hit hit) {
-    if (!hit.hits()) {
-      return;
-    }
-    ray = first;
-    surface.set(first, hit);
-    final Material material = hit.getObject().getMaterial();
-    final boolean transmits = material != null && material.transmits();
-    if (material != null && !material.scatters()) {
-      return;
-    }
-    for (int i = 0; i < shadows.length; i++) {
-      if (illuminate(lights[i], hit)) {
-        final double wx = incidence.directionX(), wy = incidence.directionY(), wz = incidence.directionZ();
-        final double ci = wx * surface.normalX() + wy * surface.normalY() + wz * surface.normalZ();
-        final double facing = surface.facing(wx, wy, wz);
-        if (ci > 0 && facing > 0 || ci < 0 && facing < 0 && transmits) {
-          final Ray shadowRay = surface.towards(facing > 0, wx, wy, wz, incidence.distance());
-          shadows[i].put(itsPixel, shadowRay, surface.distance(), surface.distance() * BEFORE_LIGHT);
-        }
-      }
-    }
-  }
-
-  /** Finds which of the shadow rays are blocked. */
-  void findShadows() {
-    for (final ShadowTile shadow : shadows) {
-      shadow.findBlocked(scene);
-    }
-  }
-
   private Hit closestHit() {
     try {
       return scene.intersectionWith(ray);
@@ -209,12 +156,16 @@ final class WhittedTracer {
     }
   }
 
-  /** Adds what the lights bring to a hit of the ray at hand, and makes the rays that leave it. */
-  private void shade(final Hit hit) {
+  private void view(final Hit hit) {
     surface.set(ray, hit);
-    final Material material = material(hit);
     interaction.setView(surface.normalX(), surface.normalY(), surface.normalZ(),
         -ray.directionX(), -ray.directionY(), -ray.directionZ(), surface.isSeenFromOutside());
+  }
+
+  /** Adds what the lights bring to a hit of the ray at hand, and makes the rays that leave it. */
+  private void shade(final Hit hit) {
+    final Material material = material(ray, hit);
+    view(hit);
     if (report != null) {
       report.surface(new LightObserver.Surface(ray, hit, depth, new RadianceRGB(weightR, weightG, weightB),
           material, surface.normal(), surface.isSeenFromOutside()));
@@ -228,6 +179,10 @@ final class WhittedTracer {
         }
       }
     }
+    makeRays(material);
+  }
+
+  private void makeRays(final Material material) {
     if ((depth < recursionDepth || report != null) && isSpecular(material)) {
       await(specular.refractedR(), specular.refractedG(), specular.refractedB(), true);
       await(specular.reflectedR(), specular.reflectedG(), specular.reflectedB(), false);
@@ -235,7 +190,7 @@ final class WhittedTracer {
   }
 
   /** The material of a hit's object; if it has none, it is matte, of its colour there. */
-  private Material material(final Hit hit) {
+  Material material(final Ray itsRay, final Hit hit) {
     final Object3D object = hit.getObject();
     final Material material = object.getMaterial();
     if (material != null) {
@@ -245,7 +200,7 @@ final class WhittedTracer {
       final Color color = object.getColorAt(hit);
       return matte.of(notNull("color", color));
     } catch (RuntimeException | StackOverflowError failure) {
-      throw TracingFailure.of(object, "getColorAt", ray, failure);
+      throw TracingFailure.of(object, "getColorAt", itsRay, failure);
     }
   }
 
@@ -289,10 +244,6 @@ final class WhittedTracer {
     final double lr = weightR * interaction.radianceR(), lg = weightG * interaction.radianceG(),
         lb = weightB * interaction.radianceB();
     if (lr > 0 || lg > 0 || lb > 0) {
-      if (depth == 0 && pixel >= 0 && number < shadows.length && shadows[number].holds(pixel)) {
-        arrive(number, shadows[number].isBlocked(pixel), lr, lg, lb);
-        return;
-      }
       final Ray shadowRay = surface.towards(before, wx, wy, wz, incidence.distance());
       final boolean blocked = isBlocked(shadowRay, surface.distance() * BEFORE_LIGHT);
       if (report != null) {
@@ -318,12 +269,17 @@ final class WhittedTracer {
   private void scatter(final Material material) {
     try {
       material.scatter(interaction);
-      final double sr = interaction.radianceR(), sg = interaction.radianceG(), sb = interaction.radianceB();
-      if (!(sr >= 0 && sg >= 0 && sb >= 0 && sr + sg + sb < Double.POSITIVE_INFINITY)) {
-        throw new IllegalStateException(Messages.text("rendering.wrongRadiance", sr, sg, sb));
-      }
+      check(interaction);
     } catch (RuntimeException | StackOverflowError failure) {
       throw TracingFailure.of(material, "reflect", ray, failure);
+    }
+  }
+
+  /** Refuses a radiance that no light can have. */
+  static void check(final SurfaceInteraction interaction) {
+    final double sr = interaction.radianceR(), sg = interaction.radianceG(), sb = interaction.radianceB();
+    if (!(sr >= 0 && sg >= 0 && sb >= 0 && sr + sg + sb < Double.POSITIVE_INFINITY)) {
+      throw new IllegalStateException(Messages.text("rendering.wrongRadiance", sr, sg, sb));
     }
   }
 
@@ -353,19 +309,10 @@ final class WhittedTracer {
       }
       return;
     }
-    if (end == waiting.length) {
-      waiting = Arrays.copyOf(waiting, 2 * end);
-      depths = Arrays.copyOf(depths, 2 * end);
-      weights = Arrays.copyOf(weights, 6 * end);
-    }
-    waiting[end] = refracted ? surface.refracted(specular.ratio(), specular.refractedCosine()) : surface.reflected();
+    final Ray next = refracted ? surface.refracted(specular.ratio(), specular.refractedCosine()) : surface.reflected();
     if (report != null) {
-      report.specular(waiting[end], refracted, LightObserver.Fate.FOLLOWED);
+      report.specular(next, refracted, LightObserver.Fate.FOLLOWED);
     }
-    depths[end] = depth + 1;
-    weights[3 * end] = wr;
-    weights[3 * end + 1] = wg;
-    weights[3 * end + 2] = wb;
-    end++;
+    waiting.push(next, depth + 1, wr, wg, wb);
   }
 }

@@ -8,8 +8,6 @@ import java.awt.Color;
 import java.util.Arrays;
 import java.util.Random;
 
-import acceleration.RayTile;
-import acceleration.SegmentTile;
 import lights.Directional;
 import lights.Light;
 import lights.LightGroup;
@@ -71,6 +69,7 @@ class ShadowTileTest {
     final ShadowTile tile = new ShadowTile();
     final Ray[] rays = new Ray[256];
     final double[] limits = new double[256];
+    int cast = 0;
     tile.clear();
     final int m = random.nextInt(W - 15), n = random.nextInt(H - 15);
     for (int i = 0; i < 256; i++) {
@@ -79,18 +78,19 @@ class ShadowTileTest {
         final double[] v = source.from(random, hit);
         final double length = Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
         final boolean outside = v[0] * hit.geometricX() + v[1] * hit.geometricY() + v[2] * hit.geometricZ() > 0;
-        rays[i] = hit.leave(outside || random.nextInt(10) == 0, v[0] / length, v[1] / length, v[2] / length);
-        limits[i] = length * (1 - 1e-9);
-        tile.put(pixel(i), rays[i], length, limits[i]);
+        rays[cast] = hit.leave(outside || random.nextInt(10) == 0, v[0] / length, v[1] / length, v[2] / length);
+        limits[cast] = length * (1 - 1e-9);
+        tile.put(rays[cast], length, limits[cast]);
+        cast++;
       }
     }
     tile.findBlocked(scene);
-    for (int i = 0; i < 256; i++) {
-      assertEquals(rays[i] != null, tile.holds(pixel(i)));
-      final boolean expected = rays[i] != null && scene.intersectAny(rays[i], limits[i]);
-      assertEquals(expected, tile.isBlocked(pixel(i)), "pixel " + i + ", " + rays[i] + " to " + limits[i]
+    for (int i = 0; i < cast; i++) {
+      final boolean expected = scene.intersectAny(rays[i], limits[i]);
+      final int number = i;
+      assertEquals(expected, tile.isBlocked(i), () -> "ray " + number + ", " + rays[number] + " to " + limits[number]
           + (source.directed ? ", directed" : ", spread " + source.spread));
-      asked += rays[i] != null ? 1 : 0;
+      asked++;
       blocked += expected ? 1 : 0;
     }
   }
@@ -103,11 +103,6 @@ class ShadowTileTest {
       compare(random, scene.scene, RandomView.camera(random, scene, unit), new Source(random, unit));
     });
     assertTrue(asked > 30_000 && blocked > 5000 && blocked < asked - 5000, () -> blocked + " of " + asked);
-  }
-
-  /** The number in a tile of rays of a pixel of 16 × 16. */
-  private static int pixel(final int i) {
-    return i / 16 * RayTile.SIZE + i % 16;
   }
 
   private static Light light(final Random random, final RandomScene scene) {
@@ -143,20 +138,5 @@ class ShadowTileTest {
       shades[0] += (int) Arrays.stream(expected).distinct().count();
     });
     assertTrue(shades[0] > 1000, () -> shades[0] + " colours");
-  }
-
-  @Test
-  void theNumbersOfSegmentsAreThoseOfPixelsInAnotherOrder() {
-    for (final int corner : new int[] {0, 16, 16 * RayTile.SIZE}) {
-      final boolean[] seen = new boolean[256];
-      for (int i = 0; i < 256; i++) {
-        final int number = SegmentTile.number(corner + pixel(i));
-        seen[number] = true;
-        assertEquals(SegmentTile.number(pixel(i / 64 * 64 + i % 16 / 4 * 4)) / 16, number / 16, "block of pixel " + i);
-      }
-      for (final boolean one : seen) {
-        assertTrue(one);
-      }
-    }
   }
 }
