@@ -4,6 +4,7 @@ import static arguments.Arguments.notNull;
 import static arguments.Arguments.wrongState;
 
 import java.awt.Color;
+import java.util.Objects;
 
 import materials.Material;
 import materials.Texture;
@@ -70,6 +71,18 @@ public record Appearance(Color color, Material material, Texture texture) {
    */
   public boolean isMaterial() {
     return material != null;
+  }
+
+  /** The equality of records, without the method handles that would be linked for it whenever the program starts. */
+  @Override
+  public boolean equals(final Object other) {
+    return other instanceof Appearance same && Objects.equals(color, same.color)
+        && Objects.equals(material, same.material) && Objects.equals(texture, same.texture);
+  }
+
+  @Override
+  public int hashCode() {
+    return Objects.hash(color, material, texture);
   }
 
   /** The same without texture. */

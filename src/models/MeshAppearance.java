@@ -21,9 +21,18 @@ final class MeshAppearance {
   private MeshAppearance(final List<Appearance> appearances, final int[] ofTriangle) {
     this.appearances = appearances;
     this.ofTriangle = ofTriangle;
-    this.isTextured = appearances.stream().anyMatch(appearance -> appearance.texture() != null);
+    this.isTextured = isTextured(appearances);
     this.hasOneColor = appearances.size() == 1;
     this.color = hasOneColor ? appearances.get(0).color().getRGB() : 0;
+  }
+
+  private static boolean isTextured(final List<Appearance> appearances) {
+    for (final Appearance appearance : appearances) {
+      if (appearance.texture() != null) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** One for all; null: random colours. */

@@ -1,7 +1,5 @@
 package scenes;
 
-import java.util.Arrays;
-
 import javax.vecmath.AxisAngle4d;
 import javax.vecmath.Matrix3d;
 import javax.vecmath.Point3d;
@@ -41,7 +39,11 @@ record ExactPlacement(Vector3d scale, Matrix3d rotation, Vector3d shift) {
       return absent;
     }
     final String[] numbers = UnusualBlank.replaced(value.text()).strip().split("\\s+");
-    return Arrays.stream(numbers).limit(absent.length).mapToDouble(Double::parseDouble).toArray();
+    final double[] values = new double[Math.min(numbers.length, absent.length)];
+    for (int i = 0; i < values.length; i++) {
+      values[i] = Double.parseDouble(numbers[i]);
+    }
+    return values;
   }
 
   private static Matrix3d aiming(final Element object) {

@@ -7,7 +7,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.stream.Collectors;
 
 import arguments.Messages;
 import diagnostics.Problem;
@@ -124,6 +123,10 @@ final class Problems {
    * of the first of them; if the limit of all problems was exceeded, a last one gives the number left out.
    */
   List<Problem> inFileOrder() {
+    final List<Problem> problems = new ArrayList<>();
+    if (found.isEmpty()) {
+      return problems;
+    }
     final List<Placed> all = new ArrayList<>(found);
     int left = omitted;
     for (final Kind kind : kinds.values()) {
@@ -135,8 +138,10 @@ final class Problems {
             Messages.text("scenes.moreLikeThis", kind.message, more))));
       }
     }
-    final List<Problem> problems = all.stream().sorted(Comparator.comparingInt(Placed::offset)).map(Placed::problem)
-        .collect(Collectors.toList());
+    all.sort(Comparator.comparingInt(Placed::offset));
+    for (final Placed placed : all) {
+      problems.add(placed.problem());
+    }
     if (omitted > 0) {
       problems.add(at(firstOmitted, hasErrors() ? Problem.Severity.ERROR : Problem.Severity.WARNING,
           Messages.text("scenes.omitted", left)));

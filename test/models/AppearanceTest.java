@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.awt.Color;
+import java.util.List;
 
 import javax.vecmath.Vector3f;
 
@@ -52,6 +53,21 @@ class AppearanceTest {
     assertEquals(Color.RED, new Ghost(Color.RED).getColorAt(Hit.NOHIT));
     assertSame(GREY, new Ghost(Color.RED, GREY).getMaterial());
     assertNull(new Ghost(Color.RED).getMaterial());
+  }
+
+  @Test
+  void appearancesAreEqualIfColourMaterialAndTextureAre() {
+    final Material other = new Lambertian(new ReflectanceRGB(0.5f, 0.5f, 0.5f));
+    final List<Appearance> all = List.of(Appearance.of(Color.RED), Appearance.of(Color.GREEN), Appearance.of(GREY),
+        new Appearance(GREY.getColor(), other), Appearance.NONE);
+    for (final Appearance one : all) {
+      final Appearance same = new Appearance(one.color(), one.material(), one.texture());
+      assertEquals(one, same);
+      assertEquals(one.hashCode(), same.hashCode());
+      for (final Appearance another : all) {
+        assertEquals(one == another, one.equals(another), one + ", " + another);
+      }
+    }
   }
 
   @Test
