@@ -119,7 +119,7 @@ class ObjReaderTest {
   @Test
   void normalsAndTextureCoordinatesThatAreMissingGiveOneWarning() {
     assertProblems(SQUARE + "vn 0 0 1\nvn nan 0 1\nvt x\nf 1/1/1 2/9/2 3//7\nf 1 3 4\n",
-        "6:1: warning: normals or texture coordinates that are missing or are no numbers: 4, the first in this line");
+        "6:1: warning: normals or texture coordinates that are missing or not numbers: 4, the first in this line");
     assertProblems(SQUARE + "vt 0.5\nvt 1 1 0\nvn 0 0 0\nf 1/1/1 2/-1/-1 3/2\n");
   }
 

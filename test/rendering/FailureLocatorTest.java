@@ -115,7 +115,7 @@ class FailureLocatorTest {
       object = new AffineTransformation(new Vector3f(1, 1, 1), new Vector3f(), group);
     }
     final String message = messageOf(object).getMessage();
-    assertTrue(message.startsWith("objects lie within too many transformations"), message);
+    assertTrue(message.startsWith("objects are nested in too many transformations"), message);
   }
 
   /** A sphere without a colour, and a box that calls itself. */

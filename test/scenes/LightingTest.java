@@ -181,7 +181,7 @@ class LightingTest {
     assertProblems(withMaterial(shiny.replace("</brdf>", "<beta>0</beta></brdf>")));
     assertProblems(withMaterial(BRDF));
     final String glass = "<btdf id=\"m\" type=\"Cook-Torrance\"><eta_int>1.5</eta_int></btdf>";
-    final String black = "31:12: warning: this `btdf` lets nothing through and reflects nothing: without a "
+    final String black = "31:12: warning: this `btdf` transmits nothing and reflects nothing: without a "
         + "`dielectricReflectance` other than 0 it shows black";
     assertProblems(withMaterial(glass), "31:12: warning: `beta` is not given: this `btdf` is polished and shows clear glass",
         black);

@@ -61,26 +61,26 @@ class MarkupReaderTest {
     "<a></b>|1:4: found `</b>`, expected `</a>`, which closes the element of line 1",
     "<a/></a>|1:5: `</a>` closes nothing: no element is open",
     "<a/><b/>|1:5: a second document element `b`: expected one, which is `a`",
-    "<a b=1/>|1:4: the value of attribute `b` must stand in quotes: expected `b=\"...\"`",
-    "<a b='1/>|1:4: the value of attribute `b` has no end: expected `'`",
+    "<a b=1/>|1:4: the value of attribute `b` must be in quotes: expected `b=\"...\"`",
+    "<a b='1/>|1:4: the value of attribute `b` is not terminated: expected `'`",
     "<a b='1'c='2'/>|1:9: in the tag `<a` found `c`, expected a blank and an attribute, or `>`",
     "<a b/>|1:4: after `b` expected `=`",
-    "<a|1:1: the tag `<a` has no end: expected `>`",
+    "<a|1:1: the tag `<a` is not terminated: expected `>`",
     "<a/|1:1: after `a` expected `>`",
-    "<a>< /a>|1:4: `< /a>` is no tag: expected a name right after `<` (write `&lt;` for `<`)",
-    "<a><!-- |1:4: `comment` has no end: expected `-->`",
-    "<a><![CDATA[x</a>|1:4: `CDATA` has no end: expected `]]>`",
+    "<a>< /a>|1:4: `< /a>` is not a tag: expected a name right after `<` (write `&lt;` for `<`)",
+    "<a><!-- |1:4: `comment` is not terminated: expected `-->`",
+    "<a><![CDATA[x</a>|1:4: `CDATA` is not terminated: expected `]]>`",
     "<!ENTITY x>|1:1: `<!ENTITY` is refused: a scene file has no document type and no entities of its own",
-    "<a>&nope; &b</a>|1:4: `&nope;` is no entity: expected `&lt;`, `&gt;`, `&amp;`, `&quot;`, `&apos;` or a number such "
+    "<a>&nope; &b</a>|1:4: `&nope;` is not an entity: expected `&lt;`, `&gt;`, `&amp;`, `&quot;`, `&apos;` or a number such "
         + "as `&#241;` (write `&amp;` for `&`)",
-    "<a>x & y</a>|1:6: `&` is no entity: expected `&lt;`, `&gt;`, `&amp;`, `&quot;`, `&apos;` or a number such "
+    "<a>x & y</a>|1:6: `&` is not an entity: expected `&lt;`, `&gt;`, `&amp;`, `&quot;`, `&apos;` or a number such "
         + "as `&#241;` (write `&amp;` for `&`)",
-    "<a b='1 &c d'/>|1:9: `&c` is no entity: expected `&lt;`, `&gt;`, `&amp;`, `&quot;`, `&apos;` or a number such "
+    "<a b='1 &c d'/>|1:9: `&c` is not an entity: expected `&lt;`, `&gt;`, `&amp;`, `&quot;`, `&apos;` or a number such "
         + "as `&#241;` (write `&amp;` for `&`)",
     "<a b='1' b='2'/>|1:10: attribute `b` is given twice: expected once",
     "<a><!-- -- --></a>|1:9: `--` must not occur within a comment",
     "<a>]]></a>|1:4: `]]>` must not occur in text: write `]]&gt;`",
-    "<a/>x|1:5: `x` stands outside of the document: expected nothing but comments before and after its one element",
+    "<a/>x|1:5: `x` is outside the document element: expected only comments before and after it",
     "<a>\u0001</a>|1:4: the character of code 1 (hexadecimal) must not occur in XML: is this a scene file?",
     "<a b='\u0002'/>|1:7: the character of code 2 (hexadecimal) must not occur in XML: is this a scene file?",
     "<a>b</a\u00b5>|1:5: found `</a\u00b5>`, expected `</a>`, which closes the element of line 1",

@@ -151,7 +151,7 @@ class MeshAppearanceTest {
           && reading.problems().get(0).message().contains(name), reading.problems()::toString);
     }
     files.write("a.png", png);
-    assertEquals(List.of("scene.xml:33: the mesh has no texture coordinates (`vt`): expected some for a `textureFile`"),
+    assertEquals(List.of("scene.xml:33: the mesh has no texture coordinates (`vt`), which a `textureFile` needs"),
         warnings(read(SQUARE + "f 1 2 3\n", "", "<textureFile>a.png</textureFile>")));
   }
 
@@ -310,7 +310,7 @@ class MeshAppearanceTest {
     assertEquals(List.of(), placed.problems());
     assertEquals(9, hit(placed, 0.9, 0.9).getT(), 1e-5);
     assertFalse(hit(placed, 1.1, 0.9).hits());
-    assertEquals(List.of("scene.xml:31: a vertex of the mesh is placed where no float can hold it: expected "
+    assertEquals(List.of("scene.xml:31: a vertex of the mesh is placed outside the range of float: expected "
         + "coordinates less than 3.4e38"), warnings(read(vertices, "", "<color>1 0 0</color>")));
     final String small = vertices.replace("e39", "e-44");
     final ReadResult large = read(small, "", "<color>1 0 0</color><scaleFactors>1e38 1e38 1e38</scaleFactors>");

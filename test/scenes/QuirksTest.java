@@ -56,18 +56,17 @@ class QuirksTest {
   void q1CameraWithinAComment() {
     final String text = SceneFiles.SOUND.replace("<camera>", "<!--<camera>").replace("</camera>", "</camera>-->");
     assertProblems(files.read(text), "2:1: `image` lacks `camera`: expected an element <camera>."
-        + " A `camera` that is commented out stands in line 16.");
+        + " Line 16 has a `camera` that is commented out.");
     assertProblems(files.readWith("<fov>60</fov>", "<!-- <fovea/> <fov> 60</fov>-->"), "21:3: `projection` lacks "
         + "`fov`: expected a "
         + "number such as 2.5, 0 < fov < 180.");
     assertProblems(files.readWith("<fov>60</fov>", "<!-- <fov> 60</fov>-->"), "21:3: `projection` lacks `fov`: expected a "
-        + "number such as 2.5, 0 < fov < 180. A `fov` that is commented out stands in line 22.");
+        + "number such as 2.5, 0 < fov < 180. Line 22 has a `fov` that is commented out.");
   }
 
   @Test
   void q2StrayText() {
-    assertProblems(files.readWith("</model>", "</model>\n-->"), "29:1: warning: `-->` stands in `models` between "
-        + "elements and is "
+    assertProblems(files.readWith("</model>", "</model>\n-->"), "29:1: warning: `-->` between the elements of `models` is "
         + "ignored; perhaps it is left over from a comment");
   }
 
@@ -374,7 +373,7 @@ class QuirksTest {
     assertProblems(files.readModel("mesh", "<objFile>deep/er/one.obj</objFile><flat>true</flat>"));
     assertProblems(files.readModel("mesh", "<objFile> deep/../deep/er/one.obj\n</objFile>"));
     assertProblems(files.readModel("mesh", "<objFile>deep\\er\\one.obj</objFile>"),
-        "27:16: warning: `deep\\er\\one.obj` holds backslashes: taken for `/`, which works on every system");
+        "27:16: warning: `deep\\er\\one.obj` contains backslashes: taken for `/`, which works on every system");
   }
 
   @Test

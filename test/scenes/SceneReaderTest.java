@@ -99,10 +99,10 @@ class SceneReaderTest {
   @Test
   void numbersThatNoFloatOrIntHoldsAreNotSaidToBeOutOfRange() {
     assertProblems(files.readWith("<radius>1</radius>", "<radius>1e99</radius>"),
-        "27:15: `radius` is a number that no float holds: found `1e99`, expected a number such as 2.5, radius > 0, "
+        "27:15: `radius` is outside the range of float: found `1e99`, expected a number such as 2.5, radius > 0, "
             + "in absolute value from 1.4e-45 to 3.4e38");
     assertProblems(files.readWith("<radius>1</radius>", "<radius>+0.05e-99</radius>"),
-        "27:15: `radius` is a number that no float holds: found `+0.05e-99`, expected a number such as 2.5, radius > 0, "
+        "27:15: `radius` is outside the range of float: found `+0.05e-99`, expected a number such as 2.5, radius > 0, "
             + "in absolute value from 1.4e-45 to 3.4e38");
     assertProblems(files.readWith("<radius>1</radius>", "<radius>-1e99</radius>"),
         "27:15: `radius` is out of range: found `-1e99`, expected a number such as 2.5, radius > 0");
@@ -133,7 +133,7 @@ class SceneReaderTest {
   @Test
   @EnabledOnOs(OS.LINUX)
   void aFileWithoutAnEndIsTooLarge() {
-    assertEquals("[/dev/zero: the file is larger than 64 MB: that is no scene file]",
+    assertEquals("[/dev/zero: the file is larger than 64 MB: that is not a scene file]",
         SceneReader.read(Path.of("/dev/zero")).problems().toString());
   }
 
@@ -194,7 +194,7 @@ class SceneReaderTest {
   @Test
   void aRasterThatNoArrayHoldsIsAnErrorOfTheFile() {
     assertProblems(files.readWith("<W>40</W>", "<W>2147483647</W>"),
-        "4:8: an image of 2147483647 x 30 pixels cannot be held: at most 2147483639 pixels can");
+        "4:8: an image of 2147483647 x 30 pixels is too large: at most 2147483639 pixels are possible");
   }
 
   @ParameterizedTest
@@ -202,7 +202,7 @@ class SceneReaderTest {
     "feff, ZERO WIDTH NO-BREAK SPACE", "202f, NARROW NO-BREAK SPACE", "2028, LINE SEPARATOR", "85, NEXT LINE (NEL)"})
   void whatOnlyLooksLikeABlankIsNamedWhereItStands(final String code, final String name) {
     final String odd = Character.toString(Integer.parseInt(code, 16));
-    final String named = "holds the character U+" + ("0000" + code.toUpperCase(Locale.ROOT)).substring(code.length())
+    final String named = "contains the character U+" + ("0000" + code.toUpperCase(Locale.ROOT)).substring(code.length())
         + " " + name + ", which only looks like a blank";
     assertProblems(files.readWith("<position>0 0 5", "<position>0" + odd + "0" + odd + "5"),
         "17:16: warning: `position` " + named + "; read as one");
@@ -301,9 +301,8 @@ class SceneReaderTest {
   @Test
   void whatIsNoSceneIsQuotedBriefly() {
     assertProblems(files.read("Lorem ipsum dolor sit amet, consectetur adipisicing elit, sed do eiusmod tempor"),
-        "1:1: `Lorem ipsum dolor sit amet, consectet...` stands outside of the document: expected nothing but "
-            + "comments before and "
-            + "after its one element",
+        "1:1: `Lorem ipsum dolor sit amet, consectet...` is outside the document element: expected "
+            + "only comments before and after it",
         "1:1: this is not a scene: found `Lorem ipsum dolor sit amet, consectet...`, expected XML with an element `image`");
     assertProblems(files.read("<html><body/></html>"), "1:1: the document element is `html`, expected `image`.");
     assertProblems(files.read("<imagen/>"), "1:1: the document element is `imagen`, expected `image`. Did you mean "

@@ -160,7 +160,7 @@ class FaultsTest {
     final double seconds = (System.nanoTime() - start) * 1e-9;
     final CommandLine.Result result = program.end(process);
     assertEquals(130, result.status());
-    assertEquals("interrupted: what was done is in t.partial.png\n", result.err());
+    assertEquals("interrupted: the finished part is in t.partial.png\n", result.err());
     assertFalse(Files.exists(folder.resolve("t.png")));
     assertEquals(List.of(), leftOver(folder));
     final BufferedImage partial = ImageIO.read(folder.resolve("t.partial.png").toFile());

@@ -98,7 +98,7 @@ class MainTest {
         .replace("<H>30</H>", "<H>70000</H>"));
     final CommandLine.Result result = program.run("--check", "vast.xml");
     assertEquals(1, result.status());
-    assertEquals("vast.xml:2:14: an image of 70000 x 70000 pixels cannot be held: at most 2147483639 pixels can\n",
+    assertEquals("vast.xml:2:14: an image of 70000 x 70000 pixels is too large: at most 2147483639 pixels are possible\n",
         result.err());
     assertTrue(result.out().startsWith("vast.xml: errors: 1,"), result.out());
   }
