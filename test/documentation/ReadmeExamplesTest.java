@@ -102,25 +102,25 @@ class ReadmeExamplesTest {
     assertTrue(bright.getRed() > 2 * bright.getBlue() && bright.getRed() > dark.getRed() + 40, bright + ", " + dark);
   }
 
-  /** A block without a class is a member of the disc. */
   @Test
-  void everyBlockCompiles() throws IOException {
-    int members = 0;
-    for (final String block : blocks) {
-      if (!CLASS.matcher(block).find()) {
-        final String disc = source("Disc");
-        new Compilation(folder.resolve("members" + ++members))
-            .add("Disc.java", disc.substring(0, disc.lastIndexOf('}')) + "\n" + block + "}\n").succeeds();
-      }
-    }
-    assertEquals(1, members);
-    assertEquals(6, blocks.size());
+  void everyBlockIsAClass() {
+    assertEquals(5, blocks.size());
+    blocks.forEach(block -> assertTrue(CLASS.matcher(block).find(), block));
+  }
+
+  @Test
+  void theBoxOfTheDiscCompiles() throws IOException {
+    final List<String> members = new Document("doc/window.md").blocks("java");
+    assertEquals(1, members.size());
+    final String disc = source("Disc");
+    new Compilation(folder).add("Disc.java", disc.substring(0, disc.lastIndexOf('}')) + "\n" + members.get(0) + "}\n")
+        .succeeds();
   }
 
   /** As the text says: the lines of the first program up to the projection, and then the call. */
   @Test
   void theProgramThatShowsADiscInTheWindowCompiles() throws IOException {
-    final List<String> calls = new Document("README.md").all("`(window\\.[^`]+\\))`");
+    final List<String> calls = new Document("doc/window.md").all("`(window\\.[^`]+\\))`");
     assertEquals(1, calls.size());
     final String first = source("First");
     final int projection = first.indexOf('\n', first.indexOf("setProjection"));
