@@ -1,0 +1,162 @@
+package rendering;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.EnumMap;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+
+import org.junit.jupiter.api.Test;
+
+import lights.Light;
+import materials.BTDF;
+import models.Group3D;
+import models.RandomNumbers;
+import primitives.Point3D;
+import primitives.Vector3D;
+import radiometry.RadianceRGB;
+import tracer.Hit;
+import tracer.Ray;
+
+/** What an observer is told of each step of the light is what the lights, the materials and the objects say themselves. */
+class ObservedLightTest {
+
+  private static double largest(final RadianceRGB radiance) {
+    return Math.max(radiance.getR(), Math.max(radiance.getG(), radiance.getB()));
+  }
+
+  private static void assertProduct(final RadianceRGB a, final RadianceRGB b, final RadianceRGB product) {
+    assertEquals(a.getR() * b.getR(), product.getR(), 1e-12 * (1 + product.getR()));
+    assertEquals(a.getG() * b.getG(), product.getG(), 1e-12 * (1 + product.getG()));
+    assertEquals(a.getB() * b.getB(), product.getB(), 1e-12 * (1 + product.getB()));
+  }
+
+  /** Checks what it is told of one primary ray. */
+  private static final class Checker implements LightObserver {
+
+    private final Group3D scene;
+    private final List<Light> lights;
+    private final int recursionDepth;
+    private final Map<Outcome, Integer> outcomes;
+    private final Map<Fate, Integer> fates;
+    /** The rays that have been made and not been traced yet: the weight of each. */
+    private final Map<Ray, RadianceRGB> awaited = new IdentityHashMap<>();
+    private final Map<Ray, Integer> depths = new IdentityHashMap<>();
+    private Surface surface;
+
+    Checker(final Group3D scene, final List<Light> lights, final int recursionDepth, final Ray first,
+        final Map<Outcome, Integer> outcomes, final Map<Fate, Integer> fates) {
+      this.scene = scene;
+      this.lights = lights;
+      this.recursionDepth = recursionDepth;
+      this.outcomes = outcomes;
+      this.fates = fates;
+      awaited.put(first, new RadianceRGB(1, 1, 1));
+      depths.put(first, 0);
+    }
+
+    @Override
+    public void surface(final Surface its) {
+      surface = its;
+      assertEquals(awaited.remove(its.ray()).toString(), its.weight().toString());
+      assertEquals(depths.get(its.ray()), its.depth());
+      final Hit hit = scene.intersectionWith(its.ray());
+      assertEquals(hit.distance(), its.hit().distance());
+      final Vector3D n = its.normal(), d = its.ray().getDirection(), g = hit.getGeometricNormal();
+      assertEquals(1, n.length(), 1e-6);
+      assertTrue(n.dot(d) < 1e-6, "the normal is on the viewer's side");
+      assertTrue(Math.abs(g.dot(d)) < 1e-6 || its.isOutside() == g.dot(d) < 0);
+    }
+
+    @Override
+    public void background(final Ray ray, final int depth, final RadianceRGB radiance) {
+      final RadianceRGB weight = awaited.remove(ray);
+      assertEquals(depths.get(ray), depth);
+      assertFalse(scene.intersectionWith(ray).hits());
+      final RadianceRGB sky = new Illumination(scene, new lights.LightGroup(), 0, LitScenes.SKY).backgroundRadiance();
+      assertProduct(weight, sky, radiance);
+    }
+
+    @Override
+    public void light(final Contribution its) {
+      outcomes.merge(its.outcome(), 1, Integer::sum);
+      assertSame(lights.get(its.number()), its.light());
+      final Point3D P = surface.hit().getPoint(), S = its.light().getPosition(P);
+      final RadianceRGB E = its.light().getIrradianceAt(P);
+      final boolean isLit = largest(E) > 0, isFar = its.outcome() == Outcome.OUTSIDE_FIELD;
+      assertEquals(isFar, !isLit);
+      assertEquals(largest(E), largest(its.irradiance()), 1e-4 * largest(E));
+      final Vector3D wi = its.light().getIncidenceDirection(P);
+      final double ci = surface.normal().dot(wi);
+      assertEquals(isFar ? 0 : Math.abs(ci), its.cosine(), 1e-4);
+      final boolean isTraced = its.outcome() == Outcome.LIT || its.outcome() == Outcome.BLOCKED;
+      assertEquals(isTraced, its.shadowRay() != Ray.NORAY);
+      assertEquals(isFar ? 0 : S.distance(P), its.distance(), 1e-4 * (1 + S.distance(P)));
+      assertTrue(its.outcome() != Outcome.BEHIND || ci < 1e-3 || isBehindFacet(wi));
+      assertProduct(surface.weight(), its.reflected(), its.radiance());
+      assertEquals(isTraced, largest(its.reflected()) > 0);
+      if (isTraced) {
+        final Ray ray = its.shadowRay();
+        assertEquals(its.outcome() == Outcome.BLOCKED, scene.intersectAny(ray, its.distance() * (1 - 1e-9)));
+        assertTrue(S.distance(ray.pointAtParameter((float) its.distance())) < 1e-4);
+      }
+    }
+
+    private boolean isBehindFacet(final Vector3D wi) {
+      return (surface.isOutside() ? 1 : -1) * surface.hit().getGeometricNormal().dot(wi) < 1e-3;
+    }
+
+    @Override
+    public void specular(final Specular its) {
+      fates.merge(its.fate(), 1, Integer::sum);
+      final RadianceRGB weight = surface.weight(), factor = its.factor();
+      final double most = Math.max(weight.getR() * factor.getR(),
+          Math.max(weight.getG() * factor.getG(), weight.getB() * factor.getB()));
+      assertEquals(its.fate() == Fate.FOLLOWED, its.ray() != Ray.NORAY);
+      switch (its.fate()) {
+        case FOLLOWED -> {
+          assertTrue(most >= 1e-6 && surface.depth() < recursionDepth);
+          awaited.put(its.ray(), new RadianceRGB(weight.getR() * factor.getR(), weight.getG() * factor.getG(),
+              weight.getB() * factor.getB()));
+          depths.put(its.ray(), surface.depth() + 1);
+        }
+        case TOO_DEEP -> assertTrue(most >= 1e-6 && surface.depth() == recursionDepth);
+        case NEGLIGIBLE -> assertTrue(most < 1e-6);
+        default -> {
+          final double cosine = -surface.normal().dot(surface.ray().getDirection());
+          assertTrue(its.isRefracted());
+          assertEquals(1, ((BTDF) surface.material()).getReflectance(Math.min(1, cosine), surface.isOutside()), 1e-5);
+        }
+      }
+    }
+  }
+
+  @Test
+  void everyStepIsReportedAsItIs() {
+    final RandomNumbers numbers = new RandomNumbers("observed light");
+    final Map<LightObserver.Outcome, Integer> outcomes = new EnumMap<>(LightObserver.Outcome.class);
+    final Map<LightObserver.Fate, Integer> fates = new EnumMap<>(LightObserver.Fate.class);
+    for (int i = 0; i < RandomNumbers.times(10); i++) {
+      final Group3D scene = new Group3D();
+      LitScenes.objects(numbers).forEach(scene::addObject);
+      final int depth = i % 5;
+      final Illumination illumination = new Illumination(scene, LitScenes.lights(), depth, LitScenes.SKY);
+      for (int k = 0; k < 100; k++) {
+        final Ray ray = new Ray(numbers.pointAbout(new Point3D(0, 3, 0), 6), numbers.pointAbout(new Point3D(0, 1, 0), 1.5));
+        final Checker checker = new Checker(scene, illumination.lights(), depth, ray, outcomes, fates);
+        illumination.radiance(ray, scene.intersectionWith(ray), checker);
+        assertTrue(checker.awaited.isEmpty(), () -> "every ray that was made is traced; " + numbers);
+      }
+    }
+    for (final LightObserver.Outcome outcome : LightObserver.Outcome.values()) {
+      assertTrue(outcomes.getOrDefault(outcome, 0) > 20, () -> outcome + " of " + outcomes);
+    }
+    for (final LightObserver.Fate fate : LightObserver.Fate.values()) {
+      assertTrue(fates.getOrDefault(fate, 0) > 5, () -> fate + " of " + fates);
+    }
+  }
+}
