@@ -1,6 +1,8 @@
 package models;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
@@ -8,6 +10,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 
 import javax.vecmath.TexCoord2f;
 
@@ -92,6 +95,47 @@ class InterpolationTest {
       }
     }
     assertTrue(reversed > 500 && cut > 100, reversed + " reversed, " + cut + " cut");
+  }
+
+  /** Facets without area among others: they are left out, and the others keep their normals, texture and colours. */
+  @Test
+  void facetsWithoutAreaTakeNothingFromTheOthers() {
+    final double[] p = {-1, -1, 0, 1, -1, 0.5, 1, 1, 0, -1, 1, 0.25};
+    final float[] n = {0, 0.6f, 0.8f, 0.6f, 0, 0.8f, 0, 0, 1};
+    final double[] t = {0, 0, 1, 0, 1, 1, 0, 1};
+    final List<Appearance> colours = Stream.of(Color.RED, Color.GREEN, Color.BLUE).map(Appearance::of).toList();
+    final TriangularMesh whole = TriangularMesh.of(new MeshData(p, new int[] {0, 1, 2, 0, 2, 3},
+        new MeshData.Normals(n, new int[] {0, 1, 2, 0, 2, 1}), new MeshData.TexCoords(t, new int[] {0, 1, 2, 0, 2, 3})),
+        colours, new int[] {0, 2});
+    final TriangularMesh gaps = TriangularMesh.of(new MeshData(p, new int[] {3, 3, 1, 0, 1, 2, 2, 2, 2, 0, 0, 1, 0, 2, 3},
+        new MeshData.Normals(n, new int[] {2, 2, 2, 0, 1, 2, 1, 1, 1, 0, 0, 0, 0, 2, 1}),
+        new MeshData.TexCoords(t, new int[] {3, 3, 3, 0, 1, 2, 1, 1, 1, 2, 2, 2, 0, 2, 3})),
+        colours, new int[] {1, 0, 1, 1, 2});
+    assertEquals(2, gaps.getTriangles().size());
+    for (int i = 0; i < 1000; i++) {
+      final Ray ray = new Ray(NUMBERS.pointAbout(new Point3D(0, 0, 5), 3), NUMBERS.pointAbout(new Point3D(), 1.2));
+      final Hit expected = whole.intersectionWith(ray), hit = gaps.intersectionWith(ray);
+      assertEquals(expected.hits(), hit.hits());
+      if (hit.hits()) {
+        assertEquals(expected.getNormal(), hit.getNormal());
+        assertEquals(expected.getTexCoord(), hit.getTexCoord());
+        assertEquals(expected.getObject().getColor(), hit.getObject().getColor());
+      }
+    }
+  }
+
+  /** A triangle has an area as soon as it has one in the projection along any axis; on a line it has none. */
+  @Test
+  void trianglesAcrossEachAxisHaveAnArea() {
+    for (int axis = 0; axis < 3; axis++) {
+      final float[] p = new float[12];
+      p[3 + (axis + 1) % 3] = 1;
+      p[6 + (axis + 2) % 3] = 1;
+      p[9 + (axis + 1) % 3] = 3;
+      assertEquals(1, TriangularMesh.of(p, new int[] {0, 1, 2, 0, 1, 3}, Color.RED).getTriangles().size());
+    }
+    final float[] line = {0, 0, 0, 1, 2, 3, 2, 4, 6};
+    assertThrows(IllegalArgumentException.class, () -> TriangularMesh.of(line, new int[] {0, 1, 2}, Color.RED));
   }
 
   /** Neither small nor slender, so that weights do not depend on rounding. */
