@@ -15,7 +15,11 @@ import arguments.Messages;
 import diagnostics.Problem;
 import models.Appearance;
 
-/** The materials of a mesh file: reads the files that it names, and finds the appearance of each of its triangles. */
+/**
+ * The materials of a mesh file: reads the files that it names, and finds the appearance of each of its triangles.
+ *
+ * <p><img src="doc-files/MaterialFiles.png" width="320" height="200" alt="A house with a red roof and a green door">
+ */
 public final class MaterialFiles {
 
   private final Path file;

@@ -22,6 +22,8 @@ import models.TriangularMesh;
  * TriangularMesh cow = ObjFile.read(java.nio.file.Path.of("cow.obj"), Color.PINK);
  * }</pre>
  *
+ * <p><img src="doc-files/ObjFile.png" width="320" height="213" alt="A teapot, cups and a plate">
+ *
  * <p>A mesh is smooth: it has the normals of its file, and where corners have none, averages of the facets around them.
  * Harmless faults, such as a facet without area, are ignored silently; {@code UPNaTRay --check} reports them for a scene
  * file.

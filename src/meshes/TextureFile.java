@@ -19,6 +19,8 @@ import materials.Texture;
 /**
  * Reads the files of textures: PNG, JPEG, GIF (its first frame) and BMP, which are recognised by their content, whatever
  * their names.
+ *
+ * <p><img src="doc-files/TextureFile.png" width="320" height="200" alt="Beach balls: an image on spheres">
  */
 public final class TextureFile {
 

@@ -21,6 +21,8 @@ import tracer.Ray;
  * refraction show there. Source: Whitted, "An improved illumination model for shaded display", Communications of the ACM
  * 23(6), 1980.
  *
+ * <p><img src="doc-files/Illumination.png" width="320" height="320" alt="A glass ball and a mirror ball in a room">
+ *
  * <p>The radiance L of a hit is the sum over the lights of f(wi, wo) |n·wi| E, with E the irradiance of the light, if no
  * object lies on the open segment between; plus, for a material with an ideal part, its factors times the radiance that the
  * reflected and the refracted ray bring. The ray of a pixel has depth 0, and a ray made at a hit of a ray of depth k has
