@@ -14,7 +14,7 @@ import tracer.RayGenerator;
  * blocks, each by one thread, in the order of their rays, so its bits do not depend on the number of threads; a block is all
  * that is held of the K² times larger picture.
  *
- * <p><img src="doc-files/Supersampling.png" width="320" height="106" alt="Jagged edges with one ray per pixel, smooth ones with 16">
+ * <p><img src="doc-files/Supersampling.png" width="320" height="106" alt="Jagged edges, and smooth ones">
  */
 public final class Supersampling {
 
