@@ -12,15 +12,20 @@ import java.util.Map;
 
 import org.junit.jupiter.api.Test;
 
+import acceleration.RayTile;
+import acceleration.SegmentTile;
 import lights.Light;
 import materials.BTDF;
 import models.Group3D;
 import models.RandomNumbers;
+import models.TileHits;
 import primitives.Point3D;
 import primitives.Vector3D;
 import radiometry.RadianceRGB;
 import tracer.Hit;
 import tracer.Ray;
+import view.Camera;
+import view.Perspective;
 
 /** What an observer is told of each step of the light is what the lights, the materials and the objects say themselves. */
 class ObservedLightTest {
@@ -133,6 +138,69 @@ class ObservedLightTest {
         }
       }
     }
+  }
+
+  /** The lights of one outcome at the first hit of a ray, as bits. */
+  private static long lightsOf(final LightObserver.Outcome outcome, final Illumination illumination, final Ray ray,
+      final Hit hit) {
+    final long[] bits = {0};
+    illumination.radiance(ray, hit, new LightObserver() {
+
+      private int depth;
+
+      @Override
+      public void surface(final Surface surface) {
+        depth = surface.depth();
+      }
+
+      @Override
+      public void light(final Contribution its) {
+        bits[0] |= depth == 0 && its.outcome() == outcome ? 1L << its.number() : 0;
+      }
+    });
+    return bits[0];
+  }
+
+  /** Which lights bring something to a pixel of a tile, and which are blocked, is what its ray reports. */
+  @Test
+  void lightsOfAPixelAreThoseThatItsRayReports() {
+    final RandomNumbers numbers = new RandomNumbers("lights of pixels");
+    int litPixels = 0;
+    for (int n = 0; n < RandomNumbers.times(10); n++) {
+      final Group3D scene = new Group3D();
+      LitScenes.objects(numbers).forEach(scene::addObject);
+      final Illumination illumination = new Illumination(scene, LitScenes.lights(), n % 3, LitScenes.SKY);
+      final Point3D eye = numbers.pointAbout(new Point3D(0, 4, 0), 5);
+      final Camera camera = new Camera(eye, new Point3D(0, 1, 0), numbers.direction());
+      camera.setProjection(new Perspective(50, 1));
+      final RayTile tile = new RayTile();
+      tile.open(RayTile.SIZE, RayTile.SIZE);
+      camera.getRayGenerator(RayTile.SIZE, RayTile.SIZE).fill(tile, 0, 0);
+      tile.close();
+      final TileHits hits = new TileHits(tile);
+      hits.clear();
+      scene.closestHits(tile, hits);
+      final LitTile pixels = new LitTile(illumination);
+      final int size = SegmentTile.SIZE, corner = numbers.index(2) * size + numbers.index(2) * size * RayTile.SIZE;
+      pixels.prepare(hits, corner, size, size);
+      for (int k = 0; k < size * size; k++) {
+        final int i = corner + k % size + k / size * RayTile.SIZE;
+        final Hit hit = hits.hit(i);
+        assertEquals(hit.hits(), pixels.hits(i));
+        if (hit.hits()) {
+          final long lit = lightsOf(LightObserver.Outcome.LIT, illumination, hits.ray(i), hit);
+          final long blocked = lightsOf(LightObserver.Outcome.BLOCKED, illumination, hits.ray(i), hit);
+          final WhittedTracer tracer = illumination.tracer();
+          tracer.trace(hits.ray(i), hit, LightObserver.NONE);
+          assertEquals(lit + " " + blocked, pixels.lit(i) + " " + pixels.shadowed(i));
+          assertEquals(lit + " " + blocked, tracer.lit() + " " + tracer.shadowed());
+          assertEquals(illumination.argb(hits.ray(i), hit), pixels.argb(i));
+          assertEquals(hit.distance(), pixels.hit(i).distance());
+          litPixels += lit != 0 ? 1 : 0;
+        }
+      }
+    }
+    assertTrue(litPixels > 500, "lit pixels: " + litPixels);
   }
 
   @Test
