@@ -1,12 +1,14 @@
 package documentation;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -26,6 +28,9 @@ class ArchitectureTest {
   private static final Pattern DEPENDENCY = Pattern.compile("^ +([a-z]+) +-> ([a-z]+) ", Pattern.MULTILINE);
   private static final Pattern ROW = Pattern.compile("^\\| `([a-z]+)` \\| ([^|]*) \\|", Pattern.MULTILINE);
   private static final Pattern NAME = Pattern.compile("`([a-z]+)`");
+
+  /** Columns of the picture; what follows explains it. */
+  private static final int WIDTH = 38;
 
   /** For each package, those that its classes use. */
   private static Map<String, Set<String>> found() throws Exception {
@@ -72,6 +77,26 @@ class ArchitectureTest {
       found.values().forEach(known -> known.retainAll(found.keySet()));
     }
     assertEquals(Map.of(), found, "these depend on each other");
+  }
+
+  /** In the picture, a package stands above those that it depends on; view, tracer and models stand in one row. */
+  @Test
+  void thePictureShowsTheOrder() throws Exception {
+    final List<String> rows = new Document("doc/architecture.md").blocks("text").get(0).lines()
+        .map(row -> row.substring(0, Math.min(row.length(), WIDTH))).toList();
+    final Map<String, Set<String>> found = found();
+    final Set<String> row = Set.of("view", "tracer", "models");
+    found.forEach((name, known) -> known.forEach(other -> assertTrue(
+        row(rows, name) < row(rows, other) || row.contains(name) && row.contains(other), () -> name + " and " + other)));
+  }
+
+  private static int row(final List<String> rows, final String name) {
+    for (int i = 0; i < rows.size(); i++) {
+      if (List.of(rows.get(i).strip().split("\\W+")).contains(name)) {
+        return i;
+      }
+    }
+    throw new AssertionError(name + " is not in the picture");
   }
 
   private static String text(final Map<String, Set<String>> map) {
