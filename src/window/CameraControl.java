@@ -117,6 +117,7 @@ final class CameraControl {
     if (pose != null) {
       preview = image;
       window.view().setPreview(image);
+      window.view().setRays(RayOverlay.NONE);
     }
   }
 

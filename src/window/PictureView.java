@@ -56,6 +56,7 @@ final class PictureView extends Drawing {
     addMouseListener(mouse);
     addMouseMotionListener(mouse);
     addMouseWheelListener(mouse);
+    addPropertyChangeListener("graphicsConfiguration", event -> changed());
     addComponentListener(new ComponentAdapter() {
       @Override
       public void componentResized(final ComponentEvent event) {
