@@ -87,6 +87,9 @@ public class Box extends Object3D {
     final double lx = sx - f.x, ly = sy - f.y, lz = sz - f.z;
     final double a = f.alongI(lx, ly, lz), b = f.alongJ(lx, ly, lz), c = f.alongK(lx, ly, lz);
     final double da = f.alongI(dx, dy, dz), db = f.alongJ(dx, dy, dz), dc = f.alongK(dx, dy, dz);
+    if (Slab.isLeft(a, da, halfW) || Slab.isLeft(b, db, halfH) || Slab.isLeft(c, dc, halfD)) {
+      return Double.POSITIVE_INFINITY;
+    }
     final double enter = Math.max(Math.max(Slab.enter(a, da, halfW), Slab.enter(b, db, halfH)), Slab.enter(c, dc, halfD));
     final double leave = Math.min(Math.min(Slab.leave(a, da, halfW), Slab.leave(b, db, halfH)), Slab.leave(c, dc, halfD));
     return enter <= leave ? Quadratic.firstPositive(enter, leave) : Double.POSITIVE_INFINITY;

@@ -6,6 +6,11 @@ final class Slab {
   private Slab() {
   }
 
+  /** Whether a ray starts outside of the slab and does not go towards it: so rays leave a box, which need not divide. */
+  static boolean isLeft(final double s, final double d, final double h) {
+    return Math.abs(s) > h && s * d >= 0;
+  }
+
   /**
    * Parameter at which a line enters the slab.
    *

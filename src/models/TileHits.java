@@ -246,10 +246,18 @@ public final class TileHits {
    * @return the hit, or {@link Hit#NOHIT}
    */
   public Hit hit(final int i) {
-    if (!hits(i)) {
-      return Hit.NOHIT;
-    }
-    return hit[i] != null ? hit[i] : owner[i].hitAt(ray(i), t[i], part[i]);
+    return hits(i) ? hit(i, null) : Hit.NOHIT;
+  }
+
+  /**
+   * The whole hit of a ray that has one.
+   *
+   * @param i number of the pixel; {@link #hits} must be true
+   * @param ray what {@link #ray} returns for it; null to have it made if it is needed
+   * @return the hit, or {@link Hit#NOHIT} if no float holds its numbers
+   */
+  public Hit hit(final int i, final Ray ray) {
+    return hit[i] != null ? hit[i] : owner[i].hitAt(ray == null ? ray(i) : ray, t[i], part[i]);
   }
 
   RayTile rays() {

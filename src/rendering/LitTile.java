@@ -39,7 +39,8 @@ final class LitTile {
       for (int i = first + row * RayTile.SIZE; i < first + row * RayTile.SIZE + width; i++) {
         found[i] = Hit.NOHIT;
         if (hits.hits(i)) {
-          prepare(i, hits.ray(i), hits.hit(i));
+          final Ray ray = hits.ray(i);
+          prepare(i, ray, hits.hit(i, ray));
         }
       }
     }
