@@ -179,11 +179,17 @@ public final class SegmentTile extends TileRays {
    * @return whether there may be anything, which {@link #candidates} says
    */
   public boolean project(final BoundingBox box) {
-    if (!box.isFinite()) {
-      System.arraycopy(open, 0, candidates, 0, WORDS);
-      return true;
-    }
-    return frustum.project(box) && select(ROUNDING * frustum.greatest(box));
+    return box.isFinite() ? frustum.project(box) && select(ROUNDING * frustum.greatest(box)) : selectAll();
+  }
+
+  /**
+   * Makes all segments that are not blocked candidates.
+   *
+   * @return true
+   */
+  public boolean selectAll() {
+    System.arraycopy(open, 0, candidates, 0, WORDS);
+    return true;
   }
 
   /** Whether a box of a tree may block a segment. */
@@ -246,6 +252,16 @@ public final class SegmentTile extends TileRays {
    */
   public long open(final int word) {
     return open[word];
+  }
+
+  /**
+   * Length of a segment.
+   *
+   * @param i its number
+   * @return the length
+   */
+  public double length(final int i) {
+    return length[i];
   }
 
   /**

@@ -361,6 +361,34 @@ public class AffineTransformation extends Object3D {
   }
 
   @Override
+  void block(final ShadowTile tile) {
+    if (answersTiles()) {
+      tile.askInFrame(this);
+    } else {
+      super.block(tile);
+    }
+  }
+
+  /** Puts a ray of the scene into a tile of the object's frame, as {@link #intersectsBefore} transforms it. */
+  void putInFrame(final ShadowTile tile, final Ray ray, final double distance, final double tmax) {
+    final double k = stretch(ray.directionX(), ray.directionY(), ray.directionZ());
+    tile.put(toObject(ray), distance * k, tmax * k);
+  }
+
+  /** The same for a ray of plain numbers. */
+  void putInFrame(final ShadowTile tile, final double x, final double y, final double z,
+      final double dx, final double dy, final double dz, final double distance, final double tmax) {
+    final double k = stretch(dx, dy, dz), px = x - shiftX, py = y - shiftY, pz = z - shiftZ;
+    tile.put(firstOf(px, py, pz), secondOf(px, py, pz), thirdOf(px, py, pz),
+        firstOf(dx, dy, dz) / k, secondOf(dx, dy, dz) / k, thirdOf(dx, dy, dz) / k, distance * k, tmax * k);
+  }
+
+  /** The object that rays in its frame are tested with. */
+  Object3D asked() {
+    return asked;
+  }
+
+  @Override
   boolean isTextured() {
     return object.isTextured() || Pattern.isOn(object.getClass());
   }

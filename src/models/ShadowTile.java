@@ -21,6 +21,10 @@ public final class ShadowTile {
   private final double[] limits = new double[SegmentTile.MOST];
   private final boolean[] blocked = new boolean[SegmentTile.MOST];
 
+  /** For rays in the frame of a transformed object, made once: those rays, and whose they are. */
+  private ShadowTile nested;
+  private final int[] outer = new int[SegmentTile.MOST];
+
   private int count;
 
   /** An empty tile. */
@@ -90,6 +94,7 @@ public final class ShadowTile {
         blocked[i] = scene.intersectsBefore(ray(i), limits[i]);
       }
     } else if (segments.close(first, end)) {
+      segments.selectAll();
       scene.block(this);
     } else {
       final int middle = first + end >>> 1;
@@ -131,6 +136,32 @@ public final class ShadowTile {
         if (Double.isNaN(t) ? object.intersectsBefore(ray(i), limits[i]) : t > 0 && t < limits[i]) {
           block(i);
         }
+      }
+    }
+  }
+
+  /** Asks a transformed object about the rays that it may block, all of them together in its frame. */
+  void askInFrame(final AffineTransformation transformed) {
+    if (nested == null) {
+      nested = new ShadowTile();
+    }
+    nested.clear();
+    for (int word = 0; word < SegmentTile.WORDS; word++) {
+      for (long bits = segments.candidates(word); bits != 0; bits &= bits - 1) {
+        final int i = word * Long.SIZE + Long.numberOfTrailingZeros(bits);
+        nested.outer[nested.count] = i;
+        if (rays[i] == null) {
+          transformed.putInFrame(nested, segments.startX(i), segments.startY(i), segments.startZ(i), segments.directionX(i),
+              segments.directionY(i), segments.directionZ(i), segments.length(i), limits[i]);
+        } else {
+          transformed.putInFrame(nested, rays[i], segments.length(i), limits[i]);
+        }
+      }
+    }
+    nested.findBlocked(transformed.asked(), 0, nested.count);
+    for (int k = 0; k < nested.count; k++) {
+      if (nested.blocked[k]) {
+        block(nested.outer[k]);
       }
     }
   }
