@@ -2,6 +2,7 @@ package upnatray;
 
 import static arguments.Arguments.notNull;
 import static arguments.Arguments.positive;
+import static arguments.Arguments.wrongState;
 
 import java.awt.Color;
 import java.util.Optional;
@@ -131,21 +132,21 @@ public final class RenderJob {
   }
 
   /**
-   * A picture in colours with several rays for each pixel, in a regular grid.
+   * The same picture with several rays for each pixel, in a regular grid: a pixel is their mean in linear light.
    *
-   * @param scene the scene, which must not change meanwhile
-   * @param view what the picture is to show; not depth or cost, whose numbers have no mean
-   * @param W its width in pixels, at least 1
-   * @param H its height in pixels, at least 1
-   * @param samples K, 1 … {@value Supersampling#MOST}: a pixel is the mean of K × K rays in linear light
-   * @param threads number of threads, at least 1
-   * @return the job
-   * @throws IllegalArgumentException if the scene or the view is null, if a number is out of range, or if the picture is too
-   *     large
+   * @param samples K, 1 … {@value Supersampling#MOST}, for K × K rays
+   * @param atEdges whether only pixels that an edge may cross get them, and the others one: see
+   *     {@link rendering.AdaptiveSampling}
+   * @return a job of its own
+   * @throws IllegalArgumentException if K is out of range, or if the picture is too large
+   * @throws IllegalStateException if the view shows numbers, which have no mean
    */
-  public static RenderJob ofSamples(final SceneFile scene, final RenderPass view, final int W, final int H,
-      final int samples, final int threads) {
-    return of(notNull("scene", scene), notNull("view", view), new Resolution(W, H, samples, 0, H), threads);
+  public RenderJob refined(final int samples, final boolean atEdges) {
+    if (numbers != null) {
+      throw wrongState("noMean", view.option());
+    }
+    return of(scene, view, new Resolution(resolution.W(), resolution.H(), samples, atEdges, resolution.top(),
+        resolution.rows()), threads);
   }
 
   /** A picture with several rays for each pixel, or a band of one. */
@@ -244,6 +245,15 @@ public final class RenderJob {
    */
   public int samples() {
     return resolution.samples();
+  }
+
+  /**
+   * Whether only pixels that an edge may cross get several rays.
+   *
+   * @return false if all get the same number
+   */
+  public boolean isAtEdges() {
+    return resolution.adaptive();
   }
 
   /**

@@ -131,9 +131,8 @@ final class BackgroundRenderer {
 
   /** Renders a picture once more, with more rays for each pixel. */
   private void refine(final RenderRequest request, final RenderJob first) {
-    final PictureOptions options = request.options;
-    final RenderJob job = RenderJob.ofSamples(first.scene(), options.pass(), first.image().getWidth(),
-        first.image().getHeight(), options.samples(), options.threads());
+    final Samples samples = request.options.samples();
+    final RenderJob job = first.refined(samples.K(), samples.atEdges());
     final ProgressivePicture picture = begin(request, job, null);
     notifyListener(request, () -> listener.refining(job, picture));
     final boolean completed = run(job, picture);

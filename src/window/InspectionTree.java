@@ -44,15 +44,15 @@ final class InspectionTree {
    * The lines of an inspection. Objects are asked for their text and their colour, so this may take long.
    *
    * @param names names of objects in the scene file
-   * @param samples K, where a pixel of the picture is the mean of K × K rays
+   * @param samples those of the picture
    */
-  static DefaultMutableTreeNode of(final Inspection inspection, final Map<Object3D, String> names, final int samples) {
+  static DefaultMutableTreeNode of(final Inspection inspection, final Map<Object3D, String> names, final Samples samples) {
     final PixelRay pixel = inspection.pixel();
     final DefaultMutableTreeNode root = node("inspect.pixel", pixel.m(), pixel.n(), pixel.W(), pixel.H());
     root.add(ray(pixel));
     root.add(intersections(inspection));
     final DefaultMutableTreeNode colour = colour(inspection);
-    if (samples > 1) {
+    if (samples.K() > 1) {
       colour.add(node("inspect.samples", samples));
     }
     inspection.light().ifPresent(light -> new LightLines(light, names).addTo(colour));

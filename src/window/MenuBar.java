@@ -28,7 +28,7 @@ final class MenuBar extends JMenuBar {
   private final transient RenderWindow window;
   private final JMenu recent = menu("recent");
   private final transient Map<RenderPass, JMenuItem> passes = new EnumMap<>(RenderPass.class);
-  private final transient Map<Integer, JMenuItem> samples = new HashMap<>();
+  private final transient Map<Samples, JMenuItem> samples = new HashMap<>();
 
   MenuBar(final RenderWindow window) {
     this.window = window;
@@ -106,13 +106,13 @@ final class MenuBar extends JMenuBar {
   private JMenu samplesMenu() {
     final JMenu menu = menu("samples");
     final ButtonGroup group = new ButtonGroup();
-    for (final int K : ToolBar.SAMPLES) {
-      final JMenuItem item = new JRadioButtonMenuItem(ToolBar.samplesText(K), K == window.session().samples());
-      item.setAccelerator(KeyStroke.getKeyStroke("alt shift " + K));
+    for (final Samples choice : Samples.CHOICES) {
+      final JMenuItem item = new JRadioButtonMenuItem(choice.toString(), choice.equals(window.session().samples()));
+      item.setAccelerator(KeyStroke.getKeyStroke(choice.key()));
       item.setToolTipText(Messages.text("window.samples.tip"));
-      item.addActionListener(event -> window.setSamples(K));
+      item.addActionListener(event -> window.setSamples(choice));
       group.add(item);
-      samples.put(K, menu.add(item));
+      samples.put(choice, menu.add(item));
     }
     return menu;
   }
@@ -131,8 +131,8 @@ final class MenuBar extends JMenuBar {
   }
 
   /** Marks the current number of samples. */
-  void selectSamples(final int K) {
-    samples.get(K).setSelected(true);
+  void select(final Samples choice) {
+    samples.get(choice).setSelected(true);
   }
 
   /** Binds the keys of the focused picture: arrows pin the neighbouring pixel, with shift they pan the picture. */

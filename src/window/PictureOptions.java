@@ -7,10 +7,10 @@ import rendering.RenderPass;
  *
  * @param pass what the picture is to show
  * @param size its size
- * @param samples K, for K × K rays a pixel
+ * @param samples how many rays a pixel gets in the end
  * @param threads number of threads, at least 1
  */
-record PictureOptions(RenderPass pass, PictureSize size, int samples, int threads) {
+record PictureOptions(RenderPass pass, PictureSize size, Samples samples, int threads) {
 
   PictureOptions with(final RenderPass next) {
     return new PictureOptions(next, size, samples, threads);
@@ -20,12 +20,12 @@ record PictureOptions(RenderPass pass, PictureSize size, int samples, int thread
     return new PictureOptions(pass, next, samples, threads);
   }
 
-  PictureOptions withSamples(final int next) {
+  PictureOptions with(final Samples next) {
     return new PictureOptions(pass, size, next, threads);
   }
 
   /** Whether the picture is refined by more rays once it has been rendered with one for each pixel. Numbers have no mean. */
   boolean isRefined() {
-    return samples > 1 && pass != RenderPass.DEPTH && pass != RenderPass.COST;
+    return samples.K() > 1 && pass != RenderPass.DEPTH && pass != RenderPass.COST;
   }
 }

@@ -33,7 +33,8 @@ final class PixelInspections {
     background.execute(() -> {
       try {
         final Inspection inspection = new Inspector(job.scene(), W, H).inspect(m, n);
-        final DefaultMutableTreeNode lines = InspectionTree.of(inspection, job.scene().names(), job.samples());
+        final DefaultMutableTreeNode lines = InspectionTree.of(inspection, job.scene().names(),
+            new Samples(job.samples(), job.isAtEdges()));
         SwingUtilities.invokeLater(() -> succeeded(request, job, inspection, lines));
       } catch (final RuntimeException | Error failure) {
         SwingUtilities.invokeLater(() -> failed(request, failure));

@@ -161,10 +161,9 @@ public final class RenderWindow {
     session.setSize(next);
   }
 
-  /** Sets K, for K × K rays a pixel. */
-  void setSamples(final int next) {
-    menus.selectSamples(next);
-    toolBar.selectSamples(next);
+  void setSamples(final Samples next) {
+    menus.select(next);
+    toolBar.select(next);
     session.setSamples(next);
   }
 

@@ -26,7 +26,7 @@ final class Session {
   /** A session without a scene. A thread count of 0 means one thread per core. */
   Session(final BackgroundRenderer.Listener listener, final RenderPass pass, final int threads) {
     this.renderer = new BackgroundRenderer(listener);
-    this.options = new PictureOptions(pass, PictureSize.OWN, 1,
+    this.options = new PictureOptions(pass, PictureSize.OWN, Samples.ONE,
         threads > 0 ? threads : Runtime.getRuntime().availableProcessors());
   }
 
@@ -124,12 +124,12 @@ final class Session {
     set(options.with(next));
   }
 
-  int samples() {
+  Samples samples() {
     return options.samples();
   }
 
-  void setSamples(final int next) {
-    set(options.withSamples(next));
+  void setSamples(final Samples next) {
+    set(options.with(next));
   }
 
   private void set(final PictureOptions next) {

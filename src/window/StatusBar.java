@@ -73,14 +73,16 @@ final class StatusBar extends JPanel {
   void showProgress(final RenderJob job) {
     progress.setValue((int) (STEPS * job.share()));
     final double left = job.secondsLeft();
-    text.setText(Messages.text(job.samples() > 1 ? "window.status.refining" : "window.status.progress",
+    final String key = job.samples() == 1 ? "progress" : job.isAtEdges() ? "refiningEdges" : "refining";
+    text.setText(Messages.text("window.status." + key,
         (int) (100 * job.share()), left < Double.POSITIVE_INFINITY ? seconds(left) : "?", rays(job.raysPerSecond()),
         job.samples()));
   }
 
   /** The message for a rendering that has ended. */
   static String finished(final RenderJob job, final boolean completed) {
-    final String key = !completed ? "cancelled" : job.samples() > 1 ? "refined" : "finished";
+    final String key = !completed ? "cancelled" : job.samples() == 1 ? "finished"
+        : job.isAtEdges() ? "refinedEdges" : "refined";
     return Messages.text("window.status." + key, job.image().getWidth(), job.image().getHeight(), seconds(job.seconds()),
         rays(job.raysPerSecond()), job.samples());
   }

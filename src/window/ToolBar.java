@@ -4,7 +4,6 @@ import java.awt.Component;
 import java.awt.event.ActionListener;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Function;
 
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JButton;
@@ -21,13 +20,10 @@ final class ToolBar extends JToolBar {
 
   private static final long serialVersionUID = 1L;
 
-  /** The choices of K, for K × K rays a pixel. */
-  static final Integer[] SAMPLES = {1, 2, 3, 4, 8};
-
   private final transient RenderWindow window;
   private final JComboBox<String> size = new JComboBox<>(new String[] {"25 %", "50 %", "100 %", "200 %", "640 x 480",
       "1920 x 1080"});
-  private final JComboBox<Integer> samples = new JComboBox<>(SAMPLES);
+  private final JComboBox<Samples> samples = new JComboBox<>(Samples.CHOICES.toArray(new Samples[0]));
   private final JComboBox<RenderPass> pass = new JComboBox<>(RenderPass.values());
   private boolean selecting;
 
@@ -46,13 +42,12 @@ final class ToolBar extends JToolBar {
     addLabelled("size", size, event -> applySize());
     addSeparator();
     samples.setName("samples");
-    samples.setRenderer(new Names<>(Integer.class, ToolBar::samplesText));
     samples.setMaximumSize(samples.getPreferredSize());
     addLabelled("samples", samples, event -> applySamples());
     addSeparator();
     pass.setName("pass");
     pass.setSelectedItem(window.session().pass());
-    pass.setRenderer(new Names<>(RenderPass.class, next -> Messages.text("window.pass." + next + ".text")));
+    pass.setRenderer(new PassNames());
     pass.setMaximumSize(pass.getPreferredSize());
     addLabelled("pass", pass, event -> applyPass());
     addSeparator();
@@ -97,20 +92,16 @@ final class ToolBar extends JToolBar {
   }
 
   private void applySamples() {
-    if (!selecting && samples.getSelectedItem() instanceof Integer next && next != window.session().samples()) {
+    if (!selecting && samples.getSelectedItem() instanceof Samples next && !next.equals(window.session().samples())) {
       window.setSamples(next);
     }
-  }
-
-  static String samplesText(final int K) {
-    return K == 1 ? "1" : K + " x " + K;
   }
 
   void select(final RenderPass next) {
     select(pass, next);
   }
 
-  void selectSamples(final int next) {
+  void select(final Samples next) {
     select(samples, next);
   }
 
@@ -124,23 +115,15 @@ final class ToolBar extends JToolBar {
     size.setSelectedItem(wanted.toString());
   }
 
-  /** Shows values by their names. */
-  private static final class Names<T> extends DefaultListCellRenderer {
+  /** Shows the passes by their names. */
+  private static final class PassNames extends DefaultListCellRenderer {
 
     private static final long serialVersionUID = 1L;
-
-    private final transient Class<T> type;
-    private final transient Function<T, String> names;
-
-    Names(final Class<T> type, final Function<T, String> names) {
-      this.type = type;
-      this.names = names;
-    }
 
     @Override
     public Component getListCellRendererComponent(final JList<?> list, final Object value, final int index,
         final boolean isSelected, final boolean cellHasFocus) {
-      final String name = value == null ? "" : names.apply(type.cast(value));
+      final String name = value == null ? "" : Messages.text("window.pass." + value + ".text");
       return super.getListCellRendererComponent(list, name, index, isSelected, cellHasFocus);
     }
   }

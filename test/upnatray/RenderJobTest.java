@@ -2,14 +2,17 @@ package upnatray;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 
+import acceleration.RayTile;
 import inspection.SampleScenes;
 import models.Cost;
 import models.Object3D;
@@ -44,6 +47,29 @@ class RenderJobTest {
     return job;
   }
 
+  /** At edges a pixel is that of all samples or that of one. */
+  @Test
+  void aJobIsRefinedByMoreRaysForItsPixels() {
+    final RenderJob one = done(everyShape(), RenderPass.COLOUR);
+    final RenderJob all = one.refined(3, false), edges = one.refined(3, true);
+    assertTrue(all.run(Progress.NONE) && edges.run(Progress.NONE));
+    assertEquals(3, all.samples());
+    assertTrue(edges.isAtEdges() && !all.isAtEdges());
+    int refined = 0, left = 0;
+    for (int i = 0; i < W * H; i++) {
+      final int x = i % W, y = i / W;
+      final int a = one.image().getRGB(x, y), b = all.image().getRGB(x, y), c = edges.image().getRGB(x, y);
+      assertTrue(c == a || c == b, x + ", " + y);
+      refined += a != b && c == b ? 1 : 0;
+      left += a != b && c == a ? 1 : 0;
+    }
+    assertTrue(refined > 100 && left > 10, refined + ", " + left);
+    for (final RenderPass numbers : List.of(RenderPass.DEPTH, RenderPass.COST)) {
+      assertThrows(IllegalStateException.class, () -> new RenderJob(everyShape(), numbers, W, H, 1).refined(2, false));
+    }
+    assertThrows(IllegalArgumentException.class, () -> one.refined(17, false));
+  }
+
   @Test
   void thePictureIsThatOfTheSynthesis() {
     final SceneFile scene = everyShape();
@@ -71,7 +97,7 @@ class RenderJobTest {
       return true;
     }));
     assertEquals(3, tiles.get());
-    assertTrue(job.share() > 0 && job.share() < 0.01);
+    assertTrue(job.share() > 0 && job.share() < 0.02);
   }
 
   @Test
@@ -80,7 +106,7 @@ class RenderJobTest {
     final double[] last = {0};
     job.run((x, y, width, height) -> {
       final double distance = Math.hypot(x + width / 2.0 - 320, y + height / 2.0 - 240);
-      assertTrue(distance > last[0] - 17, "(" + x + ", " + y + ")");
+      assertTrue(distance > last[0] - RayTile.SIZE - 1, "(" + x + ", " + y + ")");
       last[0] = Math.max(last[0], distance);
       return true;
     });

@@ -81,8 +81,8 @@ class BackgroundRendererTest {
   }
 
   private static BackgroundRenderer.RenderRequest request(final SceneFile scene, final RenderPass pass, final int samples) {
-    return new BackgroundRenderer.RenderRequest(null, scene, new PictureOptions(pass, PictureSize.OWN, samples, 1), null,
-        null);
+    final PictureOptions options = new PictureOptions(pass, PictureSize.OWN, new Samples(samples, false), 1);
+    return new BackgroundRenderer.RenderRequest(null, scene, options, null, null);
   }
 
   private static int[] pixels(final BufferedImage image) {
@@ -94,7 +94,8 @@ class BackgroundRendererTest {
     final SceneFile scene = scene(new Sphere(new Point3D(), 1, Color.RED));
     renderer.render(request(scene, RenderPass.COLOUR, 3));
     log.assertNext("started 1", "refining 3", "finished 3");
-    final RenderJob expected = RenderJob.ofSamples(scene, RenderPass.COLOUR, scene.width(), scene.height(), 3, 2);
+    final RenderJob expected = new RenderJob(scene, RenderPass.COLOUR, scene.width(), scene.height(), 2)
+        .refined(3, false);
     expected.run(Progress.NONE);
     assertArrayEquals(pixels(expected.image()), pixels(log.last.image()));
   }

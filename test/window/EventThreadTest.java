@@ -149,7 +149,7 @@ class EventThreadTest extends WindowFixture {
     waitFor(() -> window.view().preview() != null);
     run(() -> window.camera().turn(20, 5));
     waitFor(() -> !window.isRunning() && window.job().scene() != scene);
-    run(() -> window.setSamples(2));
+    run(() -> window.setSamples(new Samples(2, false)));
     waitFor(() -> !window.isRunning() && window.job().samples() == 2);
     assertEquals(Set.of(), onEventThread);
     assertTrue(elsewhere.containsAll(Set.of("intersectionWith", "getBoundingBox", "constructorArguments", "toString",

@@ -211,15 +211,21 @@ class RenderWindowTest extends WindowFixture {
   void samplesAreChosenInTheToolBarAndInTheMenu() throws Exception {
     pin(40, 30);
     on(() -> {
-      ((javax.swing.JComboBox<?>) find("samples")).setSelectedItem(3);
+      ((javax.swing.JComboBox<?>) find("samples")).setSelectedItem(new Samples(3, false));
       return null;
     });
     waitFor(() -> !window.isRunning() && window.job().samples() == 3);
-    final RenderJob expected = RenderJob.ofSamples(window.job().scene(), RenderPass.COLOUR, 80, 60, 3, 1);
+    final RenderJob expected = new RenderJob(window.job().scene(), RenderPass.COLOUR, 80, 60, 1).refined(3, false);
     expected.run(Progress.NONE);
     assertEquals(0, inspection.Difference.between(expected.image(), on(() -> window.view().picture())).orElseThrow()
         .differing());
     assertTrue(label("status").startsWith("80 x 60 pixels of 3 x 3 samples in "), label("status"));
+    press(Samples.CHOICES.get(5));
+    waitFor(() -> !window.isRunning() && window.job().samples() == 4);
+    final RenderJob atEdges = new RenderJob(window.job().scene(), RenderPass.COLOUR, 80, 60, 1).refined(4, true);
+    atEdges.run(Progress.NONE);
+    assertEquals(0, inspection.Difference.between(atEdges.image(), on(() -> window.view().picture())).orElseThrow()
+        .differing());
     final JMenuItem one = item(window.frame().getJMenuBar(), "1");
     assertFalse(on(one::isSelected));
     on(() -> {
@@ -227,8 +233,16 @@ class RenderWindowTest extends WindowFixture {
       return null;
     });
     waitFor(() -> !window.isRunning() && window.job().samples() == 1);
-    assertEquals(1, on(() -> ((javax.swing.JComboBox<?>) find("samples")).getSelectedItem()));
+    assertEquals(Samples.ONE, on(() -> ((javax.swing.JComboBox<?>) find("samples")).getSelectedItem()));
     assertEquals(new Point(40, 30), on(() -> window.view().pinned()));
+  }
+
+  private void press(final Samples choice) throws Exception {
+    final JMenuItem item = item(window.frame().getJMenuBar(), choice.toString());
+    on(() -> {
+      item.doClick();
+      return null;
+    });
   }
 
   private static JMenuItem item(final MenuElement menu, final String text) {
@@ -395,7 +409,7 @@ class RenderWindowTest extends WindowFixture {
         if (loop) {
           new Image(4, 3, Color.BLUE).synthesis(sample.objects(), sample.camera(), settings.withPixelLoop());
         } else {
-          RenderJob.ofSamples(sample, RenderPass.COLOUR, 4, 3, 2, 1).run(Progress.NONE);
+          new RenderJob(sample, RenderPass.COLOUR, 4, 3, 1).refined(2, false).run(Progress.NONE);
         }
       });
       rendering.start();
