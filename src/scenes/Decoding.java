@@ -31,10 +31,17 @@ record Decoding(String text, String warning, String encoding) {
       return decoded(bytes, start, StandardCharsets.UTF_8, null, encoding);
     }
     try {
-      return decoded(bytes, start, Charset.forName(encoding), null, encoding);
+      final Charset charset = Charset.forName(encoding);
+      return isWide(charset) ? decoded(bytes, start, StandardCharsets.UTF_8, "encodingNarrow", encoding)
+          : decoded(bytes, start, charset, null, encoding);
     } catch (final IllegalCharsetNameException | UnsupportedCharsetException unknown) {
       return decoded(bytes, start, StandardCharsets.UTF_8, "encodingUnknown", encoding);
     }
+  }
+
+  /** Whether letters take more than a byte each, so that no declaration could have been found as it was. */
+  private static boolean isWide(final Charset charset) {
+    return charset.canEncode() && "<?".getBytes(charset).length > 2;
   }
 
   private static Decoding decoded(final byte[] bytes, final int start, final Charset charset, final String warning,

@@ -168,6 +168,9 @@ final class SyntaxDiagnosis {
 
   /** Text where only comments may be; a file without any markup is reported as such. */
   private XmlSyntaxException outside(final int from) {
+    if (text.isBlank()) {
+      return new XmlSyntaxException(0, "emptyFile");
+    }
     final int mark = text.indexOf('<', from + 1);
     final String stray = Messages.quote(text.substring(from, mark < 0 ? text.length() : mark));
     if (root != null || mark >= 0) {

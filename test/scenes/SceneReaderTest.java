@@ -347,6 +347,11 @@ class SceneReaderTest {
         "1:1: warning: the file is not encoded in `UTF-8`; read as Latin-1");
     final String declared = accented.replace("?>", " encoding='ISO-8859-1'?>");
     assertProblems(SceneReader.read(files.write("d.xml", declared.getBytes(StandardCharsets.ISO_8859_1))));
+    final String narrow = accented.replace("?>", " encoding='utf-16'?>");
+    assertProblems(SceneReader.read(files.write("n.xml", narrow)), "1:1: warning: the file is not encoded in `utf-16`, as "
+        + "it declares: each letter is one byte; read as UTF-8");
+    assertProblems(SceneReader.read(files.write("e.xml", " \n")), "1:1: the file is empty: expected XML with an element "
+        + "`image`");
     final String unknown = accented.replace("?>", " encoding=\"klingon\"?>");
     assertProblems(SceneReader.read(files.write("k.xml", unknown)),
         "1:1: warning: the encoding `klingon` of the XML declaration is not known; read as UTF-8");
