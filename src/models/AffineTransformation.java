@@ -327,11 +327,11 @@ public class AffineTransformation extends Object3D {
     final double ax = columnOf(0, gx, gy, gz), ay = columnOf(1, gx, gy, gz), az = columnOf(2, gx, gy, gz);
     final double error = errorBound(hit.errorBound(), Math.abs(px) + Math.abs(py) + Math.abs(pz),
         Math.sqrt(ax * ax + ay * ay + az * az));
-    final Hit flat = Hit.of(t, px, py, pz, ax, ay, az, error, hit.getObject());
     final double nx = hit.normalX(), ny = hit.normalY(), nz = hit.normalZ();
-    return gx == nx && gy == ny && gz == nz && Double.isNaN(hit.textureU()) ? flat
-        : flat.withShading(columnOf(0, nx, ny, nz), columnOf(1, nx, ny, nz), columnOf(2, nx, ny, nz),
-        hit.textureU(), hit.textureV());
+    return gx == nx && gy == ny && gz == nz && Double.isNaN(hit.textureU())
+        ? Hit.of(t, px, py, pz, ax, ay, az, error, hit.getObject())
+        : Hit.shaded(t, px, py, pz, ax, ay, az, error, hit.getObject(),
+            columnOf(0, nx, ny, nz), columnOf(1, nx, ny, nz), columnOf(2, nx, ny, nz), hit.textureU(), hit.textureV());
   }
 
   /** A component of a normal transformed by the inverse transpose. */

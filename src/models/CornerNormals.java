@@ -54,18 +54,16 @@ final class CornerNormals {
   }
 
   /**
-   * The sum of the weighted normals of a triangle's corners along an axis, 0, 1 or 2.
-   *
-   * @param flat what a corner without normal has instead
+   * The normals of the three corners of a facet, the triangle's own where one has none; null if none of them has one.
    */
-  double component(final int facet, final int axis, final Weights weights, final double flat) {
-    double sum = 0;
-    for (int k = 0; k < 3; k++) {
-      final int corner = corners[3 * facet + k];
-      final double value = corner == 0 ? flat
-          : corner > 0 ? values[3 * (corner - 1) + axis] : -values[3 * (-corner - 1) + axis];
-      sum += weights.of(k) * value;
+  float[] of(final int facet, final Triangle triangle) {
+    final float[] own = triangle.unitNormal(), normals = new float[3 * 3];
+    boolean isSmooth = false;
+    for (int i = 0; i < normals.length; i++) {
+      final int corner = corners[3 * facet + i / 3], at = 3 * (Math.abs(corner) - 1) + i % 3;
+      normals[i] = corner == 0 ? own[i % 3] : corner > 0 ? values[at] : -values[at];
+      isSmooth |= corner != 0;
     }
-    return sum;
+    return isSmooth ? normals : null;
   }
 }

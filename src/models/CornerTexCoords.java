@@ -18,24 +18,22 @@ final class CornerTexCoords {
     }
   }
 
-  /** Whether all three corners of a triangle have texture coordinates. */
-  boolean has(final int facet) {
-    return corners[3 * facet] >= 0 && corners[3 * facet + 1] >= 0 && corners[3 * facet + 2] >= 0;
-  }
-
   /** The texture coordinates of a corner of a triangle; null if it has none. */
   TexCoord2f pair(final int facet, final int k) {
     final int pair = corners[3 * facet + k];
     return pair < 0 ? null : new TexCoord2f((float) values[2 * pair], (float) values[2 * pair + 1]);
   }
 
-  /** The weighted u, 0, or v, 1, of a triangle's corners; NaN if one has none. */
-  double coordinate(final int facet, final int which, final Weights weights) {
-    double sum = 0;
-    for (int k = 0; k < 3; k++) {
-      final int pair = corners[3 * facet + k];
-      sum += pair < 0 ? Double.NaN : weights.of(k) * values[2 * pair + which];
+  /** u and v of the three corners of a facet; null if one has none. */
+  double[] of(final int facet) {
+    final double[] pairs = new double[2 * 3];
+    for (int i = 0; i < pairs.length; i++) {
+      final int pair = corners[3 * facet + i / 2];
+      if (pair < 0) {
+        return null;
+      }
+      pairs[i] = values[2 * pair + i % 2];
     }
-    return sum;
+    return pairs;
   }
 }

@@ -150,9 +150,8 @@ final class MeshTree {
   }
 
   Triangle triangle(final int facet, final Appearance appearance) {
-    final int place = places()[facet], a = vertex(place, 0), b = vertex(place, 1), c = vertex(place, 2);
-    return appearance.texture() == null ? new Triangle(coordinates, a, b, c, appearance)
-        : new MeshTriangle(coordinates, a, b, c, appearance);
+    final int place = places()[facet];
+    return new Triangle(coordinates, vertex(place, 0), vertex(place, 1), vertex(place, 2), appearance);
   }
 
   private int[] places() {

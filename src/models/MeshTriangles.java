@@ -41,7 +41,7 @@ final class MeshTriangles extends AbstractList<Triangle> {
     if (known != null) {
       return known;
     }
-    triangles.compareAndSet(facet, null, surface.tree().triangle(facet, appearanceOf(facet)));
+    triangles.compareAndSet(facet, null, surface.triangle(facet, appearance.of(facet)));
     return triangles.get(facet);
   }
 
@@ -58,11 +58,5 @@ final class MeshTriangles extends AbstractList<Triangle> {
 
   MeshSurface surface() {
     return surface;
-  }
-
-  /** The appearance of a triangle, without the texture if a corner does not lie in it. */
-  private Appearance appearanceOf(final int facet) {
-    final Appearance its = appearance.of(facet);
-    return surface.hasTexCoords(facet) ? its : its.untextured();
   }
 }

@@ -102,8 +102,10 @@ public class Sphere extends Object3D {
     final double nx = ray.startX() + t * ray.directionX() - x, ny = ray.startY() + t * ray.directionY() - y,
         nz = ray.startZ() + t * ray.directionZ() - z;
     final double s = r / Math.sqrt(nx * nx + ny * ny + nz * nz);
-    final Hit hit = Hit.of(t, x + s * nx, y + s * ny, z + s * nz, nx, ny, nz, Rounding.bound(x, y, z, 2 * r), this);
-    return texture == null ? hit : hit.withShading(nx, ny, nz, textureU(nx, nz), textureV(nx, ny, nz));
+    final double error = Rounding.bound(x, y, z, 2 * r);
+    return texture == null ? Hit.of(t, x + s * nx, y + s * ny, z + s * nz, nx, ny, nz, error, this)
+        : Hit.shaded(t, x + s * nx, y + s * ny, z + s * nz, nx, ny, nz, error, this, nx, ny, nz,
+            textureU(nx, nz), textureV(nx, ny, nz));
   }
 
   /** From left to right around the Y axis; ½ at the poles, where any value is right. */

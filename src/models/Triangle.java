@@ -37,7 +37,6 @@ public class Triangle extends Object3D {
   private final float cx;
   private final float cy;
   private final float cz;
-  private final BoundingBox box;
 
   /**
    * A triangle.
@@ -92,9 +91,26 @@ public class Triangle extends Object3D {
     cx = (float) coordinates[c];
     cy = (float) coordinates[c + 1];
     cz = (float) coordinates[c + 2];
-    box = new BoundingBox(
-        new Point3D(Math.min(ax, Math.min(bx, cx)), Math.min(ay, Math.min(by, cy)), Math.min(az, Math.min(bz, cz))),
-        new Point3D(Math.max(ax, Math.max(bx, cx)), Math.max(ay, Math.max(by, cy)), Math.max(az, Math.max(bz, cz))));
+  }
+
+  /** A triangle with the vertices of another. */
+  Triangle(final Triangle other, final Appearance appearance) {
+    super(appearance);
+    ax = other.ax;
+    ay = other.ay;
+    az = other.az;
+    bx = other.bx;
+    by = other.by;
+    bz = other.bz;
+    cx = other.cx;
+    cy = other.cy;
+    cz = other.cz;
+  }
+
+  /** The unit normal. */
+  final float[] unitNormal() {
+    final double x = normalX(), y = normalY(), z = normalZ(), length = Math.sqrt(x * x + y * y + z * z);
+    return new float[] {(float) (x / length), (float) (y / length), (float) (z / length)};
   }
 
   private boolean isAligned() {
@@ -110,15 +126,15 @@ public class Triangle extends Object3D {
     return !(doubleArea > ROUNDING * greatest * longest);
   }
 
-  private double normalX() {
+  final double normalX() {
     return ((double) by - ay) * ((double) cz - az) - ((double) bz - az) * ((double) cy - ay);
   }
 
-  private double normalY() {
+  final double normalY() {
     return ((double) bz - az) * ((double) cx - ax) - ((double) bx - ax) * ((double) cz - az);
   }
 
-  private double normalZ() {
+  final double normalZ() {
     return ((double) bx - ax) * ((double) cy - ay) - ((double) by - ay) * ((double) cx - ax);
   }
 
@@ -130,8 +146,18 @@ public class Triangle extends Object3D {
   @Override
   double distance(final double x, final double y, final double z, final double dx, final double dy, final double dz) {
     final double t = WatertightTest.distance(ax - x, ay - y, az - z, bx - x, by - y, bz - z, cx - x, cy - y, cz - z,
-        dx, dy, dz, WatertightTest.error(box, x, y, z));
+        dx, dy, dz, WatertightTest.error(greatest(x, y, z)));
     return t > 0 ? t : Double.POSITIVE_INFINITY;
+  }
+
+  /** The greatest coordinate of a vertex, seen from a point: that of the box, which need not be fetched for it. */
+  private double greatest(final double x, final double y, final double z) {
+    return Math.max(greatestOf(ax - x, bx - x, cx - x), Math.max(greatestOf(ay - y, by - y, cy - y),
+        greatestOf(az - z, bz - z, cz - z)));
+  }
+
+  private static double greatestOf(final double a, final double b, final double c) {
+    return Math.max(Math.abs(a), Math.max(Math.abs(b), Math.abs(c)));
   }
 
   @Override
@@ -140,6 +166,15 @@ public class Triangle extends Object3D {
     return Hit.of(t, within(ax, bx, cx, ray.startX() + t * ray.directionX()),
         within(ay, by, cy, ray.startY() + t * ray.directionY()), within(az, bz, cz, ray.startZ() + t * ray.directionZ()),
         nx, ny, nz, errorBound(ray, t, Math.sqrt(nx * nx + ny * ny + nz * nz)), this);
+  }
+
+  /** The hit at a distance, with a normal that shades and texture coordinates. */
+  final Hit hitAt(final Ray ray, final double t, final double sx, final double sy, final double sz,
+      final double u, final double v) {
+    final double nx = normalX(), ny = normalY(), nz = normalZ();
+    return Hit.shaded(t, within(ax, bx, cx, ray.startX() + t * ray.directionX()),
+        within(ay, by, cy, ray.startY() + t * ray.directionY()), within(az, bz, cz, ray.startZ() + t * ray.directionZ()),
+        nx, ny, nz, errorBound(ray, t, Math.sqrt(nx * nx + ny * ny + nz * nz)), this, sx, sy, sz, u, v);
   }
 
   /**
@@ -151,9 +186,9 @@ public class Triangle extends Object3D {
         z = ray.startZ() - az + t * ray.directionZ();
     final double px = (double) bx - ax, py = (double) by - ay, pz = (double) bz - az;
     final double qx = (double) cx - ax, qy = (double) cy - ay, qz = (double) cz - az;
-    final double nx = normalX(), ny = normalY(), nz = normalZ(), area2 = nx * nx + ny * ny + nz * nz;
-    final double b = (nx * (y * qz - z * qy) + ny * (z * qx - x * qz) + nz * (x * qy - y * qx)) / area2;
-    final double c = (nx * (py * z - pz * y) + ny * (pz * x - px * z) + nz * (px * y - py * x)) / area2;
+    final double nx = normalX(), ny = normalY(), nz = normalZ(), inverse = 1 / (nx * nx + ny * ny + nz * nz);
+    final double b = (nx * (y * qz - z * qy) + ny * (z * qx - x * qz) + nz * (x * qy - y * qx)) * inverse;
+    final double c = (nx * (py * z - pz * y) + ny * (pz * x - px * z) + nz * (px * y - py * x)) * inverse;
     return Weights.proportionalTo(1 - b - c, b, c);
   }
 
@@ -172,7 +207,9 @@ public class Triangle extends Object3D {
 
   @Override
   public BoundingBox getBoundingBox() {
-    return box;
+    return new BoundingBox(
+        new Point3D(Math.min(ax, Math.min(bx, cx)), Math.min(ay, Math.min(by, cy)), Math.min(az, Math.min(bz, cz))),
+        new Point3D(Math.max(ax, Math.max(bx, cx)), Math.max(ay, Math.max(by, cy)), Math.max(az, Math.max(bz, cz))));
   }
 
   @Override

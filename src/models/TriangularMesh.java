@@ -246,7 +246,7 @@ public class TriangularMesh extends Object3D {
 
   @Override
   Hit hitAt(final Ray ray, final double t, final int part) {
-    return surface.hit(ray, part, triangles.of(part));
+    return MeshSurface.hit(ray, triangles.of(part));
   }
 
   @Override

@@ -34,8 +34,8 @@ public record Weights(double a, double b, double c) {
 
   /** The weights of three numbers that are proportional to them up to rounding. */
   static Weights proportionalTo(final double a, final double b, final double c) {
-    final double x = Math.max(0, a), y = Math.max(0, b), z = Math.max(0, c), sum = x + y + z;
-    return new Weights(x / sum, y / sum, z / sum);
+    final double x = Math.max(0, a), y = Math.max(0, b), z = Math.max(0, c), inverse = 1 / (x + y + z);
+    return new Weights(x * inverse, y * inverse, z * inverse);
   }
 
   /** The weight of a vertex, 0, 1 or 2. */

@@ -84,9 +84,9 @@ public final class Hit {
    */
   public Hit(final float t, final Point3D P, final Vector3D n, final Vector3D geometric, final TexCoord2f uv,
       final Object3D object) {
-    this(new Hit(positive("t", t), finite("P", P).x, P.y, P.z, direction("geometric", geometric).x, geometric.y, geometric.z,
-        Double.POSITIVE_INFINITY, notNull("object", object)), direction("n", n).x, n.y, n.z,
-        uv == null ? Double.NaN : finite("uv.x", uv.x), uv == null ? Double.NaN : finite("uv.y", uv.y));
+    this(shaded(positive("t", t), finite("P", P).x, P.y, P.z, direction("geometric", geometric).x, geometric.y, geometric.z,
+        Double.POSITIVE_INFINITY, notNull("object", object), direction("n", n).x, n.y, n.z,
+        uv == null ? Double.NaN : finite("uv.x", uv.x), uv == null ? Double.NaN : finite("uv.y", uv.y)), t);
   }
 
   private Hit(final double t, final double x, final double y, final double z,
@@ -128,29 +128,36 @@ public final class Hit {
     this.object = hit.object;
   }
 
-  /** The same hit with another normal that shades, which is cut to the front, and texture coordinates. */
-  private Hit(final Hit hit, final double nx, final double ny, final double nz, final double u, final double v) {
-    final double gx = hit.geometricX, gy = hit.geometricY, gz = hit.geometricZ;
-    final double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-    final double behind = Math.min(0, (nx * gx + ny * gy + nz * gz) / length);
-    final double cx = nx / length - behind * gx, cy = ny / length - behind * gy, cz = nz / length - behind * gz;
-    final double cut = Math.sqrt(cx * cx + cy * cy + cz * cz);
-    final boolean same = nx == gx && ny == gy && nz == gz || nx / length == gx && ny / length == gy && nz / length == gz;
-    final boolean cutAway = same || !(cut >= SHORTEST);
-    this.t = hit.t;
-    this.x = hit.x;
-    this.y = hit.y;
-    this.z = hit.z;
-    this.normalX = cutAway ? gx : cx / cut;
-    this.normalY = cutAway ? gy : cy / cut;
-    this.normalZ = cutAway ? gz : cz / cut;
+  /** A hit with two normals, both of unit length, and texture coordinates. */
+  private Hit(final double t, final double x, final double y, final double z, final double error, final Object3D object,
+      final double gx, final double gy, final double gz, final double nx, final double ny, final double nz,
+      final double u, final double v) {
+    this.t = t;
+    this.x = x;
+    this.y = y;
+    this.z = z;
+    this.normalX = nx;
+    this.normalY = ny;
+    this.normalZ = nz;
     this.geometricX = gx;
     this.geometricY = gy;
     this.geometricZ = gz;
     this.u = u;
     this.v = v;
-    this.error = hit.error;
-    this.object = hit.object;
+    this.error = error;
+    this.object = object;
+    assert isUnit(nx, ny, nz) : "no unit normal: " + nx + ", " + ny + ", " + nz;
+  }
+
+  /** A hit whose normal that shades is turned away from the geometric one, or is that one. */
+  private static Hit cut(final Hit flat, final double nx, final double ny, final double nz, final double u, final double v) {
+    final double gx = flat.geometricX, gy = flat.geometricY, gz = flat.geometricZ;
+    final double length = Math.sqrt(nx * nx + ny * ny + nz * nz), behind = (nx * gx + ny * gy + nz * gz) / length;
+    final double cx = nx / length - behind * gx, cy = ny / length - behind * gy, cz = nz / length - behind * gz;
+    final double cut = Math.sqrt(cx * cx + cy * cy + cz * cz);
+    final boolean isLong = behind < 0 && cut >= SHORTEST;
+    return new Hit(flat.t, flat.x, flat.y, flat.z, flat.error, flat.object, gx, gy, gz,
+        isLong ? cx / cut : gx, isLong ? cy / cut : gy, isLong ? cz / cut : gz, u, v);
   }
 
   private static boolean isUnit(final double x, final double y, final double z) {
@@ -199,10 +206,42 @@ public final class Hit {
    */
   public static Hit of(final double t, final double x, final double y, final double z,
       final double nx, final double ny, final double nz, final double error, final Object3D object) {
-    final double length2 = nx * nx + ny * ny + nz * nz;
-    final boolean sound = isDistance(t) && Float.isFinite((float) x) && Float.isFinite((float) y)
-        && Float.isFinite((float) z) && length2 > 0 && length2 < Double.POSITIVE_INFINITY;
-    return sound ? new Hit(t, x, y, z, nx, ny, nz, error, object) : NOHIT;
+    return isSound(t, x, y, z, nx * nx + ny * ny + nz * nz) ? new Hit(t, x, y, z, nx, ny, nz, error, object) : NOHIT;
+  }
+
+  /**
+   * The intersection that a shape has computed in double, with a normal that shades, which is cut to the front, and with
+   * texture coordinates.
+   *
+   * @param t distance from the start of the ray
+   * @param x first coordinate of the point
+   * @param y second coordinate of the point
+   * @param z third coordinate of the point
+   * @param gx first component of the geometric normal, of any length
+   * @param gy second component of the geometric normal
+   * @param gz third component of the geometric normal
+   * @param error see {@link #errorBound()}
+   * @param object object whose colour is to be painted
+   * @param nx first component of the normal that shades, of any length but 0
+   * @param ny second component of the normal that shades
+   * @param nz third component of the normal that shades
+   * @param u first texture coordinate; NaN if there are none
+   * @param v second texture coordinate; NaN if there are none
+   * @return the intersection, or {@link #NOHIT} as without them
+   */
+  public static Hit shaded(final double t, final double x, final double y, final double z,
+      final double gx, final double gy, final double gz, final double error, final Object3D object,
+      final double nx, final double ny, final double nz, final double u, final double v) {
+    final double length2 = gx * gx + gy * gy + gz * gz;
+    if (!isSound(t, x, y, z, length2)) {
+      return NOHIT;
+    }
+    if (!(nx * gx + ny * gy + nz * gz >= 0) || nx == gx && ny == gy && nz == gz) {
+      return cut(new Hit(t, x, y, z, gx, gy, gz, error, object), nx, ny, nz, u, v);
+    }
+    final double length = Math.sqrt(length2), inverse = 1 / Math.sqrt(nx * nx + ny * ny + nz * nz);
+    return new Hit(t, x, y, z, error, object, gx / length, gy / length, gz / length,
+        nx * inverse, ny * inverse, nz * inverse, u, v);
   }
 
   /**
@@ -216,7 +255,13 @@ public final class Hit {
    * @return the new hit; its geometric normal is the one of this hit
    */
   public Hit withShading(final double nx, final double ny, final double nz, final double textureU, final double textureV) {
-    return hits() ? new Hit(this, nx, ny, nz, textureU, textureV) : NOHIT;
+    return hits() ? shaded(t, x, y, z, geometricX, geometricY, geometricZ, error, object, nx, ny, nz, textureU, textureV)
+        : NOHIT;
+  }
+
+  private static boolean isSound(final double t, final double x, final double y, final double z, final double length2) {
+    return isDistance(t) && Float.isFinite((float) x) && Float.isFinite((float) y) && Float.isFinite((float) z)
+        && length2 > 0 && length2 < Double.POSITIVE_INFINITY;
   }
 
   /**

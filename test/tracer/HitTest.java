@@ -164,11 +164,9 @@ class HitTest {
       final double[] g = vector(random);
       final Hit flat = Hit.of(1, 0, 0, 0, g[0], g[1], g[2], BALL);
       final String geometric = flat.normalX() + " " + flat.normalY() + " " + flat.normalZ();
-      for (final Hit smooth : new Hit[] {flat.withShading(g[0], g[1], g[2], Double.NaN, Double.NaN),
-          flat.withShading(flat.normalX(), flat.normalY(), flat.normalZ(), Double.NaN, Double.NaN)}) {
-        assertEquals(geometric, smooth.normalX() + " " + smooth.normalY() + " " + smooth.normalZ());
-        assertEquals(geometric, smooth.geometricX() + " " + smooth.geometricY() + " " + smooth.geometricZ());
-      }
+      final Hit smooth = shaded(g, g, Double.NaN, Double.NaN);
+      assertEquals(geometric, smooth.normalX() + " " + smooth.normalY() + " " + smooth.normalZ());
+      assertEquals(geometric, smooth.geometricX() + " " + smooth.geometricY() + " " + smooth.geometricZ());
     });
   }
 
@@ -179,10 +177,15 @@ class HitTest {
       for (final int length : new int[] {1, 3}) {
         final double[] n = {length * g[0], length * g[1], length * g[2]};
         n[i] = -n[i];
-        final Hit hit = Hit.of(1, 0, 0, 0, g[0], g[1], g[2], BALL).withShading(n[0], n[1], n[2], Double.NaN, Double.NaN);
+        final Hit hit = shaded(g, n, Double.NaN, Double.NaN);
         assertArrayEquals(unit(n), new double[] {hit.normalX(), hit.normalY(), hit.normalZ()}, 1e-15);
       }
     }
+  }
+
+  /** A hit with a geometric normal and one that shades, of any length. */
+  private static Hit shaded(final double[] g, final double[] n, final double u, final double v) {
+    return Hit.shaded(1, 0, 0, 0, g[0], g[1], g[2], Double.POSITIVE_INFINITY, BALL, n[0], n[1], n[2], u, v);
   }
 
   private static double[] vector(final Random random) {
@@ -198,12 +201,15 @@ class HitTest {
   @Test
   void absentHitStaysAbsent() {
     assertSame(Hit.NOHIT, Hit.NOHIT.withShading(0, 0, 1, 0, 0));
+    assertSame(Hit.NOHIT, Hit.shaded(0, 0, 0, 0, 0, 0, 1, 0, BALL, 0, 0, 1, 0, 0));
+    assertSame(Hit.NOHIT, Hit.shaded(1, 1e40, 0, 0, 0, 0, 1, 0, BALL, 0, 0, 1, 0, 0));
+    assertSame(Hit.NOHIT, Hit.shaded(1, 0, 0, 0, 0, 0, 0, 0, BALL, 0, 0, 1, 0, 0));
     assertSame(Hit.NOHIT, Hit.NOHIT.seenFromBehind(3));
   }
 
   @Test
   void hitSeenFromFartherBackIsThatMuchFarther() {
-    final Hit hit = Hit.of(5, 1, 2, 3, 0, 3, 4, 1e-9, BALL).withShading(0, 0, 1, 0.25, 0.5), back = hit.seenFromBehind(2.5);
+    final Hit hit = Hit.shaded(5, 1, 2, 3, 0, 3, 4, 1e-9, BALL, 0, 0, 1, 0.25, 0.5), back = hit.seenFromBehind(2.5);
     assertEquals(7.5, back.distance());
     assertEquals(7.5f, back.getT());
     assertEquals(hit.toString().replace("t=5.0", "t=7.5"), back.toString());
