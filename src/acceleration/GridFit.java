@@ -95,6 +95,8 @@ final class GridFit {
     bx = wy * cz - wz * cy;
     by = wz * cx - wx * cz;
     bz = wx * cy - wy * cx;
+    grid.setAcross(cx, cy, cz);
+    grid.setUp(rx, ry, rz);
     final double area = ax * cx + ay * cy + az * cz;
     final double most = Math.sqrt((cx * cx + cy * cy + cz * cz) * (rx * rx + ry * ry + rz * rz));
     if (!(Math.abs(area) > DISTINCT * most)) {
@@ -173,10 +175,20 @@ final class GridFit {
       grid.setColumn(ax + a0 * wx, ay + a0 * wy, az + a0 * wz, 0);
       grid.setRow(bx + b0 * wx, by + b0 * wy, bz + b0 * wz, 0);
       grid.setDepth(wx, wy, wz, 0);
+      takeRays(a0, b0);
     } else {
       grid.setColumn(ax, ay, az, a0);
       grid.setRow(bx, by, bz, b0);
       grid.setDepth(0, 0, 0, 1);
     }
+  }
+
+  /** By what the margins are a ray is W + (i − a₀ ± margin) S + (j − b₀ ± margin) T, with a and b dual to S and T. */
+  private void takeRays(final double a0, final double b0) {
+    final TileGrid g = grid;
+    final double column = g.columnMargin + TileFrustum.ROUNDING, row = g.rowMargin + TileFrustum.ROUNDING;
+    g.setCorner(wx - a0 * g.acrossX - b0 * g.upX, wy - a0 * g.acrossY - b0 * g.upY, wz - a0 * g.acrossZ - b0 * g.upZ);
+    g.setStray(column * Math.abs(g.acrossX) + row * Math.abs(g.upX), column * Math.abs(g.acrossY) + row * Math.abs(g.upY),
+        column * Math.abs(g.acrossZ) + row * Math.abs(g.upZ));
   }
 }

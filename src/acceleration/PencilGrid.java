@@ -69,6 +69,10 @@ final class PencilGrid {
         unevenness(a, 1, lastColumn, stepA), unevenness(b, RayTile.SIZE, lastRow, stepB));
     takeForms(grid);
     takeMargins(grid);
+    grid.setCorner(gx, gy, gz);
+    grid.setAcross(sx, sy, sz);
+    grid.setUp(tx, ty, tz);
+    grid.setStray(errorX, errorY, errorZ);
     grid.pyramid = true;
     grid.setOrigin(p.startX, p.startY, p.startZ);
     return grid.columnMargin < USEFUL && grid.rowMargin < USEFUL && takeAxis(tile, grid);

@@ -37,6 +37,9 @@ public final class RayTile extends TileRays {
   private Pencil started;
 
   private Kind kind = Kind.NONE;
+
+  /** Whether every pixel is known to have a ray. */
+  private boolean complete;
   private int columns;
   private int rows;
 
@@ -159,6 +162,7 @@ public final class RayTile extends TileRays {
   public void close() {
     begin(kind == Kind.NONE ? Kind.UNIT : kind);
     final int n = SIZE * rows;
+    complete = kind == Kind.PENCIL && columns == SIZE;
     if (kind == Kind.RAW) {
       RayRounding.roundStarts(n, startX);
       RayRounding.roundStarts(n, startY);
@@ -185,6 +189,7 @@ public final class RayTile extends TileRays {
   public void remove(final int i) {
     vx[i] = Double.NaN;
     directionX[i] = Double.NaN;
+    complete = false;
   }
 
   /** Makes the whole tile the window. */
@@ -261,6 +266,15 @@ public final class RayTile extends TileRays {
    */
   public float vz(final int i) {
     return (float) vz[i];
+  }
+
+  /**
+   * Whether all pixels of all columns up to {@link #SIZE} are known to have rays.
+   *
+   * @return false if some have none, or nobody looked
+   */
+  public boolean isComplete() {
+    return complete;
   }
 
   /**

@@ -18,13 +18,19 @@ import primitives.BoundingBox;
 public final class TileFrustum {
 
   /** Added to the margin, in pixels, for the rounding of double. */
-  private static final double ROUNDING = 1e-6;
+  static final double ROUNDING = 1e-6;
 
   /**
    * Depth below which a projection may be off by more than {@link #ROUNDING}, relative to the sum of |n| |V| of a side
    * plane: some ten roundings of 2^-53 in C·V, and as many in D·V times the greatest column.
    */
   private static final double SHALLOW = 1e-8;
+
+  /**
+   * The same for a prism, which has no depth that keeps the error small: of a projection relative to that sum, some sixteen
+   * roundings of 2^-53 in C·V, and in half the sum and the difference of a box's coordinates.
+   */
+  private static final double HUGE = 0x1p-48;
 
   /** Multiples of the displacement from which on a displaced line is taken for one through the origin. */
   static final double STRAIGHT = 1e6;
@@ -35,6 +41,7 @@ public final class TileFrustum {
 
   private final TileSides sides = new TileSides();
   private final TileWindow window = new TileWindow();
+  private final TileCoverage coverage = new TileCoverage(grid, window);
 
   private boolean fitted;
 
@@ -113,6 +120,9 @@ public final class TileFrustum {
   boolean prepare(final float[] whole) {
     final boolean possible = sides.prepare(whole);
     least = grid.pyramid ? Math.max(SHALLOW * sides.greatest(), STRAIGHT * grid.displacement) : 0;
+    final double rounding = grid.pyramid ? ROUNDING : ROUNDING + HUGE * sides.greatest();
+    columnMargin = grid.columnMargin + rounding;
+    rowMargin = grid.rowMargin + rounding;
     return possible;
   }
 
@@ -213,6 +223,15 @@ public final class TileFrustum {
     return Math.max(Math.abs(box.minX() - grid.originX), Math.abs(box.maxX() - grid.originX))
         + Math.max(Math.abs(box.minY() - grid.originY), Math.abs(box.maxY() - grid.originY))
         + Math.max(Math.abs(box.minZ() - grid.originZ), Math.abs(box.maxZ() - grid.originZ));
+  }
+
+  /**
+   * Finds which rays in the window lie on the inner side of planes, if they are a pyramid.
+   *
+   * @return the coverage, which each triangle may use anew
+   */
+  public TileCoverage coverage() {
+    return coverage;
   }
 
   /**

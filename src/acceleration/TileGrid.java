@@ -10,6 +10,12 @@ final class TileGrid {
   /** Least cosine between a ray of a pyramid and its axis. */
   static final double NARROW = 0.25;
 
+  /**
+   * Bound of the rounding of double in a product with corner and steps, relative to the greatest terms: the product itself,
+   * 32 + 32 steps whose lengths are wrong by four roundings each, and as many sums; fewer than 400 of 2^-53.
+   */
+  private static final double STEPPING = 0x1p-44;
+
   /** Whether all rays have one start; if not, they have one direction. */
   boolean pyramid;
   double originX;
@@ -37,6 +43,25 @@ final class TileGrid {
   /** Greatest distances of a ray from its own column and row, in pixels. */
   double columnMargin;
   double rowMargin;
+
+  /** For a pyramid, the direction of the pixel (0, 0), what it changes by from column to column, and from row to row. */
+  double cornerX;
+  double cornerY;
+  double cornerZ;
+  double acrossX;
+  double acrossY;
+  double acrossZ;
+  double upX;
+  double upY;
+  double upZ;
+
+  /** How far, at most, each component of some multiple of a ray's direction is from what the three above make of it. */
+  private double strayX;
+  private double strayY;
+  private double strayZ;
+
+  /** Greatest length of these multiples. */
+  double longest;
 
   /** How far before and behind the origin, along the axis, rays start. */
   double ahead;
@@ -74,6 +99,50 @@ final class TileGrid {
     rowY = y;
     rowZ = z;
     rowAt = at;
+  }
+
+  void setCorner(final double x, final double y, final double z) {
+    cornerX = x;
+    cornerY = y;
+    cornerZ = z;
+  }
+
+  void setAcross(final double x, final double y, final double z) {
+    acrossX = x;
+    acrossY = y;
+    acrossZ = z;
+  }
+
+  void setUp(final double x, final double y, final double z) {
+    upX = x;
+    upY = y;
+    upZ = z;
+  }
+
+  /** Takes how far components stray; adds what it takes to evaluate a product with a direction step by step. */
+  void setStray(final double x, final double y, final double z) {
+    final double mostX = Math.abs(cornerX) + RayTile.SIZE * (Math.abs(acrossX) + Math.abs(upX));
+    final double mostY = Math.abs(cornerY) + RayTile.SIZE * (Math.abs(acrossY) + Math.abs(upY));
+    final double mostZ = Math.abs(cornerZ) + RayTile.SIZE * (Math.abs(acrossZ) + Math.abs(upZ));
+    strayX = x + STEPPING * mostX;
+    strayY = y + STEPPING * mostY;
+    strayZ = z + STEPPING * mostZ;
+    longest = mostX + strayX + mostY + strayY + mostZ + strayZ;
+  }
+
+  /** What a product with n changes by from column to column. */
+  double across(final double nx, final double ny, final double nz) {
+    return nx * acrossX + ny * acrossY + nz * acrossZ;
+  }
+
+  /** What a product with n changes by from row to row. */
+  double up(final double nx, final double ny, final double nz) {
+    return nx * upX + ny * upY + nz * upZ;
+  }
+
+  /** How far the product of n with a ray can be from what corner and steps make of it. */
+  double stray(final double nx, final double ny, final double nz) {
+    return Math.abs(nx) * strayX + Math.abs(ny) * strayY + Math.abs(nz) * strayZ;
   }
 
   void setDepth(final double x, final double y, final double z, final double at) {

@@ -414,7 +414,7 @@ public class AffineTransformation extends Object3D {
         if (local.hits(i)) {
           final double t = local.distance(i) / stretch(rays.directionX(i), rays.directionY(i), rays.directionZ(i));
           if (hits.isCloser(i, t, local.part(i))) {
-            hits.take(i, t, this, local.painted(i), local.part(i));
+            hits.take(i, t, hits.source(this, local.painted(i)), local.part(i));
           }
         }
       }

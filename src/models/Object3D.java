@@ -205,10 +205,17 @@ public abstract class Object3D {
   /** Offers the closest hits of the rays within the tile's window. */
   void closestHits(final RayTile rays, final TileHits hits) {
     final TileWindow window = rays.window();
+    int source = 0;
     for (int row = window.firstRow(); row <= window.lastRow(); row++) {
       for (int i = row * RayTile.SIZE + window.firstColumn(); i <= row * RayTile.SIZE + window.lastColumn(); i++) {
-        hits.offer(i, distance(rays.startX(i), rays.startY(i), rays.startZ(i),
-            rays.directionX(i), rays.directionY(i), rays.directionZ(i)), this);
+        final double distance = distance(rays.startX(i), rays.startY(i), rays.startZ(i),
+            rays.directionX(i), rays.directionY(i), rays.directionZ(i));
+        if (hits.isCloser(i, distance, 0)) {
+          source = source != 0 ? source : hits.source(this, this);
+          hits.take(i, distance, source, 0);
+        } else if (Double.isNaN(distance)) {
+          hits.askFor(i, this);
+        }
       }
     }
   }
@@ -258,6 +265,11 @@ public abstract class Object3D {
 
   /** Whether the colour of this object depends on where it is hit; a class may say so by overriding {@link #getColorAt}. */
   boolean isTextured() {
+    return false;
+  }
+
+  /** Whether the parts of this object may have colours of their own. */
+  boolean hasPartColors() {
     return false;
   }
 

@@ -30,19 +30,17 @@ public final class TileHits {
    * what is not positive has bits that are not either, but for a NaN, whose bits are greater than those of infinity.
    */
   private final int[] compared = new int[RayTile.SIZE * RayTile.SIZE];
-  private final int[] order = new int[RayTile.SIZE * RayTile.SIZE];
+  private final int[] source = new int[RayTile.SIZE * RayTile.SIZE];
   private final int[] part = new int[RayTile.SIZE * RayTile.SIZE];
-  private final Object3D[] owner = new Object3D[RayTile.SIZE * RayTile.SIZE];
-  private final Object3D[] painted = new Object3D[RayTile.SIZE * RayTile.SIZE];
-  private final Hit[] hit = new Hit[RayTile.SIZE * RayTile.SIZE];
+  private final HitSources sources = new HitSources();
+
+  /** The hits that user-written objects returned; null if none did. */
+  private Hit[] returned;
 
   /** For each row the farthest of its hits, unless the row is marked: then it may have come nearer. */
   private final int[] farthestOfRow = new int[RayTile.SIZE];
   private int changedRows;
   private double farthest;
-
-  private Class<?> lastClass;
-  private boolean lastIsPatterned;
 
   /** Number of rays that have no hit yet. */
   private int open;
@@ -66,13 +64,16 @@ public final class TileHits {
 
   /** Forgets all hits, for the rays that the tile holds now. A pixel without a ray gets distance 0: nothing is closer. */
   public void clear() {
-    Arrays.fill(owner, null);
-    Arrays.fill(order, -1);
-    open = 0;
-    for (int i = 0; i < RayTile.SIZE * rays.rows(); i++) {
-      final int present = rays.isPresent(i) ? 1 : 0;
-      compared[i] = present * INFINITE;
-      open += present;
+    Arrays.fill(source, 0);
+    sources.clear();
+    returned = null;
+    open = RayTile.SIZE * rays.rows();
+    Arrays.fill(compared, 0, open, INFINITE);
+    for (int i = 0; !rays.isComplete() && i < RayTile.SIZE * rays.rows(); i++) {
+      if (!rays.isPresent(i)) {
+        compared[i] = 0;
+        open--;
+      }
     }
     changedRows = -1 >>> 32 - rays.rows();
     currentOrder = 0;
@@ -83,17 +84,8 @@ public final class TileHits {
     currentOrder = order;
   }
 
-  /** Offers what an object without parts returned for a ray; if that is NaN, the object is asked for the hit itself. */
-  void offer(final int i, final double distance, final Object3D object) {
-    if (Double.isNaN(distance)) {
-      askFor(i, object);
-    } else if (isCloser(i, distance, 0)) {
-      take(i, distance, object, object, 0);
-    }
-  }
-
-  /** Asks an object for the hit of ray i, unless the pixel has none. */
-  private void askFor(final int i, final Object3D object) {
+  /** Asks an object for the hit of ray i, if there is one. */
+  void askFor(final int i, final Object3D object) {
     if (rays.isPresent(i)) {
       offer(i, Object3D.askFor(object, ray(i)), object);
     }
@@ -105,38 +97,48 @@ public final class TileHits {
         rays.directionX(i), rays.directionY(i), rays.directionZ(i));
     if (Double.isNaN(distance)) {
       offer(i, Object3D.askFor(object, ray), object);
-    } else {
-      offer(i, distance, object);
+    } else if (isCloser(i, distance, 0)) {
+      take(i, distance, source(object, object), 0);
     }
   }
 
   private void offer(final int i, final Hit found, final Object3D object) {
     if (isCloser(i, found.distance(), 0)) {
-      take(i, found.distance(), object, found.getObject(), 0);
-      hit[i] = found;
+      take(i, found.distance(), source(object, found.getObject()), 0);
+      if (returned == null) {
+        returned = new Hit[RayTile.SIZE * RayTile.SIZE];
+      }
+      returned[i] = found;
     }
   }
 
   /** Whether a hit would replace the one that ray i has. */
   boolean isCloser(final int i, final double distance, final int itsPart) {
     final int f = Float.floatToRawIntBits((float) distance), best = compared[i];
-    return f > 0 && (f < best
-        || f == best && (currentOrder < order[i] || currentOrder == order[i] && itsPart < part[i]));
+    return f > 0 && (f < best || f == best && isBefore(i, itsPart));
   }
 
-  /** Takes a hit that {@link #isCloser} approved: its owner, and what is to be painted. */
-  void take(final int i, final double distance, final Object3D itsOwner, final Object3D itsPainted, final int itsPart) {
+  private boolean isBefore(final int i, final int itsPart) {
+    final int order = sources.order(source[i]);
+    return currentOrder < order || currentOrder == order && itsPart < part[i];
+  }
+
+  /** The number by which {@link #take} knows the object that makes offers: the hits' owner, and what is to be painted. */
+  int source(final Object3D owner, final Object3D painted) {
+    return sources.number(currentOrder, owner, painted);
+  }
+
+  /** Takes a hit that {@link #isCloser} approved. */
+  void take(final int i, final double distance, final int itsSource, final int itsPart) {
     final int row = i / RayTile.SIZE, before = compared[i];
     t[i] = distance;
     compared[i] = Float.floatToRawIntBits((float) distance);
     open -= before == INFINITE ? 1 : 0;
     changedRows |= (before == farthestOfRow[row] ? 1 : 0) << row;
-    order[i] = currentOrder;
+    source[i] = itsSource;
     part[i] = itsPart;
-    if (owner[i] != itsOwner || painted[i] != itsPainted || hit[i] != null) {
-      owner[i] = itsOwner;
-      painted[i] = itsPainted;
-      hit[i] = null;
+    if (returned != null) {
+      returned[i] = null;
     }
   }
 
@@ -191,30 +193,37 @@ public final class TileHits {
    * @return false for a pixel without a ray
    */
   public boolean hits(final int i) {
-    return owner[i] != null;
+    return source[i] != 0;
   }
 
   /**
-   * Colour of what a ray meets.
+   * Writes the colours of what some rays of a row hit, as sRGB with alpha.
    *
-   * @param i number of the pixel; {@link #hits} must be true
-   * @return sRGB with alpha
+   * @param first number of the first pixel, column + SIZE · row
+   * @param width how many pixels
+   * @param pixels where to write
+   * @param at place of the first colour there
+   * @param background colour of the pixels whose ray hits nothing
    */
-  public int argb(final int i) {
-    if (isPatterned(painted[i])) {
+  public void paint(final int first, final int width, final int[] pixels, final int at, final int background) {
+    int last = 0, colour = background;
+    for (int k = 0; k < width; k++) {
+      final int number = source[first + k];
+      if (number != last) {
+        colour = number == 0 ? background : argb(first + k);
+        last = number == 0 || sources.hasOneColor(number) ? number : -1;
+      }
+      pixels[at + k] = colour;
+    }
+  }
+
+  /** Colour of what a ray hits, as sRGB with alpha. */
+  int argb(final int i) {
+    if (sources.isPatterned(source[i])) {
       final Hit found = hit(i);
       return found.getObject().getColorAt(found).getRGB();
     }
-    return painted[i].argb(part[i]);
-  }
-
-  /** Remembers the last class: neighbours mostly show the same. */
-  private boolean isPatterned(final Object3D object) {
-    if (object.getClass() != lastClass) {
-      lastClass = object.getClass();
-      lastIsPatterned = Pattern.isOn(lastClass);
-    }
-    return lastIsPatterned || object.isTextured();
+    return sources.argb(source[i], part[i]);
   }
 
   /**
@@ -236,7 +245,7 @@ public final class TileHits {
    * @return the object
    */
   public Object3D object(final int i) {
-    return hit[i] != null ? hit[i].getObject() : painted[i];
+    return returned != null && returned[i] != null ? returned[i].getObject() : sources.painted(source[i]);
   }
 
   /**
@@ -257,7 +266,8 @@ public final class TileHits {
    * @return the hit, or {@link Hit#NOHIT} if no float holds its numbers
    */
   public Hit hit(final int i, final Ray ray) {
-    return hit[i] != null ? hit[i] : owner[i].hitAt(ray == null ? ray(i) : ray, t[i], part[i]);
+    return returned != null && returned[i] != null ? returned[i]
+        : sources.owner(source[i]).hitAt(ray == null ? ray(i) : ray, t[i], part[i]);
   }
 
   RayTile rays() {
@@ -277,7 +287,7 @@ public final class TileHits {
   }
 
   Object3D painted(final int i) {
-    return painted[i];
+    return sources.painted(source[i]);
   }
 
   int part(final int i) {

@@ -275,6 +275,11 @@ public class TriangularMesh extends Object3D {
   }
 
   @Override
+  boolean hasPartColors() {
+    return appearance.common() == null;
+  }
+
+  @Override
   int argb(final int part) {
     return appearance.argb(part);
   }

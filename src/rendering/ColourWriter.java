@@ -38,9 +38,9 @@ class ColourWriter implements PixelWriter {
     return shading instanceof Illumination illumination ? new LitTile(illumination) : null;
   }
 
-  /** Writes the plain colour of what ray i of a tile hits. */
-  void paint(final int pixel, final TileHits hits, final int i) {
-    pixels[pixel] = hits.argb(i);
+  /** Writes the plain colours of what some rays of a row of a tile hit, from a place on. */
+  void paint(final int at, final TileHits hits, final int first, final int width) {
+    hits.paint(first, width, pixels, at, background);
   }
 
   /** Writes the light that ray i of a tile brings from what it hits. */

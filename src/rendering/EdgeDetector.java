@@ -50,9 +50,11 @@ final class EdgeDetector extends ColourWriter {
   }
 
   @Override
-  void paint(final int pixel, final TileHits hits, final int i) {
-    super.paint(pixel, hits, i);
-    objects[pixel] = hits.object(i);
+  void paint(final int at, final TileHits hits, final int first, final int width) {
+    super.paint(at, hits, first, width);
+    for (int i = 0; i < width; i++) {
+      objects[at + i] = hits.hits(first + i) ? hits.object(first + i) : null;
+    }
   }
 
   @Override

@@ -125,12 +125,12 @@ public final class TileRenderer {
   }
 
   private void paintRow(final TileHits hits, final LitTile lit, final int first, final int width, final int at) {
-    if (picture instanceof ColourWriter colours && (lit != null || colours.isPlain())) {
+    if (lit == null && picture instanceof ColourWriter colours && colours.isPlain()) {
+      colours.paint(at, hits, first, width);
+    } else if (lit != null && picture instanceof ColourWriter colours) {
       for (int i = first; i < first + width; i++) {
-        if (lit != null && lit.hits(i)) {
+        if (lit.hits(i)) {
           colours.paint(at + i - first, lit, i);
-        } else if (lit == null && hits.hits(i)) {
-          colours.paint(at + i - first, hits, i);
         } else {
           colours.miss(at + i - first, Ray.NORAY);
         }

@@ -16,7 +16,7 @@ import trials.Trials;
 class PencilTest {
 
   /** A camera of random position, orientation and angle of view, a resolution, and a tile somewhere in its picture. */
-  private static final class Shot {
+  static final class Shot {
 
     final double[] start = new double[3];
     final double[][] frame = {new double[3], new double[3], new double[3]};
