@@ -1,6 +1,6 @@
 package acceleration;
 
-/** Finds where to split the boxes of a node, and parts them there. One for each thread. */
+/** Finds where to split the boxes of a node, and partitions them. One for each thread. */
 final class Bins {
 
   private static final int MOST = 16;
@@ -33,7 +33,7 @@ final class Bins {
     return border < 0 ? null : part(first, end, axis, least, scale, border);
   }
 
-  /** Few boxes are split as well with few bins, and most nodes have few. */
+  /** Few bins are enough for few boxes, and most nodes have few. */
   private static int count(final int boxes) {
     return boxes < 16 ? 4 : boxes < 128 ? 8 : MOST;
   }

@@ -32,7 +32,7 @@ final class BoxBuilder {
     maxZ = Float.NEGATIVE_INFINITY;
   }
 
-  /** Takes in a box of an array. */
+  /** Adds a box of an array. */
   void add(final float[] boxes, final int at) {
     add(boxes[at], boxes[at + 1], boxes[at + 2], boxes[at + 3], boxes[at + 4], boxes[at + 5]);
   }
@@ -41,7 +41,7 @@ final class BoxBuilder {
     add(box.minX, box.minY, box.minZ, box.maxX, box.maxY, box.maxZ);
   }
 
-  /** Takes in the centre of a box of an array. */
+  /** Adds the centre of a box of an array. */
   void addCentre(final float[] boxes, final int at) {
     final float x = centre(boxes, at, 0), y = centre(boxes, at, 1), z = centre(boxes, at, 2);
     add(x, y, z, x, y, z);
@@ -70,7 +70,7 @@ final class BoxBuilder {
     }
   }
 
-  /** Coordinate k of the centre of a box of an array, without the overflow of a sum. */
+  /** Coordinate k of the centre of a box of an array, without overflow of the sum. */
   static float centre(final float[] boxes, final int at, final int k) {
     return 0.5f * boxes[at + k] + 0.5f * boxes[at + k + 3];
   }
@@ -99,7 +99,7 @@ final class BoxBuilder {
     return k == 0 ? maxX - minX : k == 1 ? maxY - minY : maxZ - minZ;
   }
 
-  /** Half the surface of the box; 0 if it is empty. In double, for extents whose products no float holds. */
+  /** Half the surface of the box; 0 if it is empty. In double, as products of extents can overflow float. */
   double area() {
     final double x = (double) maxX - minX, y = (double) maxY - minY, z = (double) maxZ - minZ;
     return x >= 0 ? x * y + y * z + z * x : 0;

@@ -1,8 +1,8 @@
 package acceleration;
 
 /**
- * A bounding volume hierarchy: a binary tree of boxes over numbered primitives, to find those that a ray may meet without
- * looking at all of them. Immutable, safe for use by several threads.
+ * A bounding volume hierarchy: a binary tree of boxes over numbered primitives, to find those that a ray may hit without
+ * testing all of them. Immutable, safe for use by several threads.
  *
  * <p>An inner node holds the boxes of its two children side by side in one array of floats, 12 of them, so that one visit
  * touches one place in memory, and two links in an array of ints. A link that is not negative is the number of an inner
@@ -14,33 +14,36 @@ public final class Bvh {
   /** Greatest number of primitives in a leaf. */
   public static final int MOST_IN_LEAF = 8;
 
-  /** What a far side of a box is moved by: a subtraction and a multiplication by a rounded reciprocal on either side. */
+  /**
+   * Factor by which the far side of a box is moved: for a subtraction and a multiplication by a rounded reciprocal on
+   * either side.
+   */
   private static final double FAR = 1 + 0x1p-49;
 
-  /** A link that leads nowhere: no leaf has this number. */
+  /** A null link: no leaf has this number. */
   private static final int NOTHING = Integer.MIN_VALUE;
 
-  /** The tree of nothing. */
+  /** The empty tree. */
   static final Bvh EMPTY = new Bvh(0, new float[6], new float[0], new int[0], -1, 0);
 
-  /** Whoever owns the primitives of a tree. */
+  /** The owner of the primitives of a tree. */
   public interface Leaves {
 
     /**
-     * Asks the primitives of a leaf.
+     * Tests the primitives of a leaf.
      *
      * @param first place of the first one
      * @param end place after the last one
-     * @return the distance beyond which nothing matters any more; boxes that lie farther are left out from now on
+     * @return the distance beyond which nothing matters any more; farther boxes are culled from now on
      */
     double visit(int first, int end);
   }
 
-  /** Whoever owns the primitives of a tree, asked whether any of them is hit. */
+  /** The owner of the primitives of a tree, for any-hit queries. */
   public interface AnyLeaves {
 
     /**
-     * Asks the primitives of a leaf.
+     * Tests the primitives of a leaf.
      *
      * @param first place of the first one
      * @param end place after the last one
@@ -56,7 +59,7 @@ public final class Bvh {
   private final int root;
   private final int depth;
 
-  /** A tree of so many primitives and finished nodes within a whole box; see the class comment for the arrays. */
+  /** A tree of some primitives and finished nodes within a box; see the class comment for the arrays. */
   Bvh(final int size, final float[] whole, final float[] boxes, final int[] links, final int root, final int depth) {
     this.size = size;
     this.whole = whole;
@@ -70,8 +73,8 @@ public final class Bvh {
    * Builds the tree of some boxes.
    *
    * @param boxes six floats for each box: its least x, y, z, then its greatest, all finite; used as working space
-   * @param leaf how many primitives a leaf may hold, 1 … {@link #MOST_IN_LEAF}
-   * @param order as long as there are boxes; gets at each place the number of the thing that belongs there
+   * @param leaf greatest number of primitives in a leaf, 1 … {@link #MOST_IN_LEAF}
+   * @param order an element for each box; receives the number of the primitive at each place
    * @return the tree
    */
   public static Bvh over(final float[] boxes, final int leaf, final int[] order) {
@@ -83,7 +86,7 @@ public final class Bvh {
   }
 
   /**
-   * Visits the leaves that one ray may meet, the nearer child of a node first; none for a ray of NaN.
+   * Visits the leaves that one ray may hit, the nearer child of a node first; none for a ray of NaN.
    *
    * @param x first coordinate of the start
    * @param y second coordinate of the start
@@ -91,7 +94,7 @@ public final class Bvh {
    * @param dx first component of the direction, of unit length
    * @param dy second component of the direction
    * @param dz third component of the direction
-   * @param leaves whoever owns the primitives
+   * @param leaves the owner of the primitives
    */
   public void closest(final double x, final double y, final double z, final double dx, final double dy, final double dz,
       final Leaves leaves) {
@@ -141,7 +144,7 @@ public final class Bvh {
   }
 
   /**
-   * Whether any primitive is hit by one ray before a distance: visits leaves that the ray may meet until one says so.
+   * Whether any primitive is hit by one ray before a distance: visits leaves that the ray may hit until one is hit.
    *
    * @param x first coordinate of the start
    * @param y second coordinate of the start
@@ -150,7 +153,7 @@ public final class Bvh {
    * @param dy second component of the direction
    * @param dz third component of the direction
    * @param tmax the distance
-   * @param leaves whoever owns the primitives
+   * @param leaves the owner of the primitives
    * @return whether a leaf was hit; false for a ray of NaN
    */
   public boolean any(final double x, final double y, final double z, final double dx, final double dy, final double dz,
@@ -193,7 +196,9 @@ public final class Bvh {
     return false;
   }
 
-  /** Where a ray enters a box; infinity if it passes it by or enters too far away. Comparisons drop the NaN of 0 · ∞. */
+  /**
+   * Where a ray enters a box; infinity if it misses the box or enters it too far away. Comparisons drop the NaN of 0 · ∞.
+   */
   private double enter(final int box, final int nearX, final int nearY, final int nearZ, final double x, final double y,
       final double z, final double ix, final double iy, final double iz, final double farthest) {
     final double ax = (boxes[box + nearX] - x) * ix, ay = (boxes[box + nearY] - y) * iy, az = (boxes[box + nearZ] - z) * iz;
@@ -209,11 +214,11 @@ public final class Bvh {
   }
 
   /**
-   * Visits the leaves that the rays of a tile may meet, the nearer child of a node first. A thing in a leaf may have a tree
-   * of its own and ask it with the same frustum.
+   * Visits the leaves that the rays of a tile may hit, the nearer child of a node first. A primitive may have a tree of
+   * its own and traverse it with the same frustum.
    *
    * @param frustum the frustum of the tile, which must be fitted
-   * @param leaves whoever owns the primitives
+   * @param leaves the owner of the primitives
    */
   public void closest(final TileFrustum frustum, final Leaves leaves) {
     visitLeaves(frustum, null, Double.POSITIVE_INFINITY, leaves);
@@ -223,7 +228,7 @@ public final class Bvh {
    * Visits the leaves that may block segments of a tile, the nearer child of a node first.
    *
    * @param segments the segments, which must be enclosed
-   * @param leaves whoever owns the primitives
+   * @param leaves the owner of the primitives
    */
   public void block(final SegmentTile segments, final Leaves leaves) {
     visitLeaves(segments.frustum(), segments, segments.limit(), leaves);
@@ -244,7 +249,7 @@ public final class Bvh {
     }
   }
 
-  /** See above; with segments, boxes that none of them meets are left out. */
+  /** See above; with segments, boxes that none of them hits are culled. */
   private void visitLeaves(final TileSides sides, final SegmentTile segments, final float limit, final Leaves leaves) {
     final int[] stack = new int[depth + 1];
     int top = 0, node = root;

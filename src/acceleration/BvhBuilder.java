@@ -10,12 +10,12 @@ import java.util.concurrent.RecursiveTask;
  * Hierarchies", Symposium on Interactive Ray Tracing, 2007. Where all centres coincide, and far down, the primitives are
  * halved.
  *
- * <p>The boxes themselves are moved, not pointed at, so that every pass reads memory in order. Large parts are built by
+ * <p>The boxes themselves are moved, not referenced, so that every pass reads memory in order. Large parts are built by
  * several threads; the tree is the same.
  */
 final class BvhBuilder {
 
-  /** Smallest number of primitives that is worth a task of its own. */
+  /** Smallest number of primitives for a separate task. */
   private static final int PARALLEL = 1 << 13;
 
   /** Depth at which primitives are halved instead, so that no order of boxes makes a tree too deep. */

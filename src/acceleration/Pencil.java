@@ -1,8 +1,8 @@
 package acceleration;
 
 /**
- * The rays of a pinhole: they start at one point and pass through the points of a window, L + a X + b Y as seen from there.
- * A {@link RayTile} makes the rays of its pixels from that by itself, all at once.
+ * The rays of a pinhole camera: they start at one point and pass through the points of a window, L + a X + b Y relative
+ * to it. A {@link RayTile} computes the rays of its pixels from that, all at once.
  */
 public final class Pencil {
 
@@ -22,7 +22,7 @@ public final class Pencil {
   /**
    * A pencil of rays.
    *
-   * @param start the starting point, in scene units; it gets rounded to floats as {@code tracer.Ray.towards} rounds it
+   * @param start the starting point, in scene units; it is rounded to floats as {@code tracer.Ray.towards} rounds it
    * @param across the vector X, in which columns grow
    * @param up the vector Y, in which rows grow
    * @param look the vector L, to the point of the window whose a and b are 0

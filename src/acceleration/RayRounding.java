@@ -1,8 +1,8 @@
 package acceleration;
 
 /**
- * How the numbers of a ray are rounded: starts and directions to floats, and the directions then brought to unit length in
- * double. The loops convert nothing, so that the compiler can make vector instructions of them.
+ * Rounds the numbers of rays: starts and directions to floats, and normalises the directions again in double. The loops
+ * convert nothing, so that the compiler can vectorise them.
  */
 public final class RayRounding {
 
@@ -50,8 +50,8 @@ public final class RayRounding {
   }
 
   /**
-   * The factor that brings a vector to unit length whose length is 1 up to the rounding of floats: 1 / √(1 + δ) by its
-   * series, whose next term, of δ³ &lt; 10<sup>-19</sup>, is beyond double.
+   * The factor that normalises a vector whose length is 1 up to the rounding of floats: 1 / √(1 + δ) by its series, whose
+   * next term, of δ³ &lt; 10<sup>-19</sup>, is beyond double.
    *
    * @param squaredLength square of the vector's length, 1 + δ
    * @return the factor

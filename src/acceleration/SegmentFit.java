@@ -1,6 +1,6 @@
 package acceleration;
 
-/** Finds the pyramid or prism of the segments of a {@link SegmentTile}, and the place of each in its raster. */
+/** Finds the pyramid or prism of the segments of a {@link SegmentTile}, and the position of each in its raster. */
 final class SegmentFit {
 
   /** Last column and row of the raster: less than the number of cells, so that rounding leads to none behind the last. */

@@ -5,14 +5,14 @@ import java.util.Arrays;
 import primitives.BoundingBox;
 
 /**
- * The segments from up to 256 points to one light, asked together whether anything lies on them. Seen from the light they
- * are the rays of a pyramid that end at the points; if all have one direction, a prism. Either is enclosed by a
- * {@link TileFrustum}, whose columns and rows form a raster before the light, and each segment has its place there and, in a
- * pyramid, its depth. {@link SegmentSets} of the three say at once which segments a part of the raster, from some depth on,
- * may lie on: the irregular sampling of Johnson et al., "The irregular Z-buffer", ACM Transactions on Graphics 24(4), 2005,
+ * The segments from up to 256 points to one light, tested together for occlusion. Seen from the light they are the rays
+ * of a pyramid that end at the points; if all have one direction, a prism. Either is enclosed by a {@link TileFrustum},
+ * whose columns and rows form a raster in front of the light, in which each segment has its position and, in a pyramid,
+ * its depth. {@link SegmentSets} of the three say at once which segments a part of the raster, from some depth on, may
+ * lie on: the irregular sampling of Johnson et al., "The irregular Z-buffer", ACM Transactions on Graphics 24(4), 2005,
  * with sets of bits in place of lists.
  *
- * <p>Segments that are found to be blocked are dropped.
+ * <p>Blocked segments are dropped.
  *
  * <p>A segment may pass the light by, as it starts beside its point and its numbers are rounded. By how much is measured,
  * and all is conservative: the greatest distance of a line from the light, the displacement, widens the sides of the
@@ -46,7 +46,7 @@ public final class SegmentTile extends TileRays {
   private final TileWindow window = frustum.window();
   private final SegmentFit fit = new SegmentFit(this, frustum.grid());
 
-  /** The segments by column, by row and by level of depth; sorted when they are first asked for. */
+  /** The segments by column, by row and by level of depth; sorted when first needed. */
   private final SegmentSets columns = new SegmentSets();
   private final SegmentSets rows = new SegmentSets();
   private final SegmentSets levels = new SegmentSets();

@@ -1,8 +1,8 @@
 package acceleration;
 
 /**
- * A side of a {@link TileFrustum}: the points with n·V + c ≥ 0 lie inside, where V is seen from the frustum's origin. Boxes
- * are tested in floats, with c so much greater that rounding cannot take one out.
+ * A side of a {@link TileFrustum}: the points with n·V + c ≥ 0 are inside, V being relative to the frustum's origin.
+ * Boxes are tested in floats, with c increased so that rounding culls none.
  */
 final class SidePlane {
 
@@ -18,7 +18,7 @@ final class SidePlane {
   private float floatZ;
   private float loose;
 
-  /** Which of a box's six numbers lie farthest along n. */
+  /** Which of the six numbers of a box are farthest along n. */
   private int farX;
   private int farY;
   private int farZ;

@@ -2,7 +2,7 @@ package acceleration;
 
 import java.util.Arrays;
 
-/** A growing part of a tree: nodes in the order in which they are first visited, laid out as {@link Bvh} wants them. */
+/** A growing part of a tree: nodes in the order in which they are first visited, in the layout of {@link Bvh}. */
 final class Subtree {
 
   private float[] boxes;

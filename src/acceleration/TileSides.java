@@ -1,7 +1,7 @@
 package acceleration;
 
 /**
- * The four side planes of a {@link TileFrustum} and the extent of its rays along the axis, in floats, to leave out the boxes
+ * The four side planes of a {@link TileFrustum} and the extent of its rays along the axis, in floats, to cull the boxes
  * of a tree. It is prepared for boxes within a given one, whose numbers bound what rounding to floats can do to theirs.
  */
 final class TileSides {
@@ -70,7 +70,7 @@ final class TileSides {
   /**
    * Prepares for boxes that lie within a box.
    *
-   * @return false if floats could overflow, so that nothing may be asked of boxes
+   * @return false if floats could overflow, so that no box may be tested
    */
   boolean prepare(final float[] whole) {
     prepared = whole;
@@ -112,8 +112,8 @@ final class TileSides {
   }
 
   /**
-   * Whether no ray of the tile can be within a box. The signs of all five sides are gathered without a branch, which the
-   * processor would guess wrong too often.
+   * Whether no ray of the tile can be within a box. The signs of all five sides are gathered without a branch, which
+   * would be mispredicted too often.
    */
   boolean isOutside(final float[] boxes, final int at) {
     final float x = floatX, y = floatY, z = floatZ;

@@ -1,12 +1,12 @@
 package acceleration;
 
 /**
- * A rectangle of a tile's columns and rows: where the last thing that a {@link TileFrustum} projected may lie. It is kept in
+ * A rectangle of a tile's columns and rows: the extent of the last projection of a {@link TileFrustum}. It is kept in
  * whole pixels, and with its margin between pixels.
  */
 public final class TileWindow {
 
-  /** Added before digits are cut off to round up; numbers just above a whole one go down to it, which does no harm. */
+  /** Added before truncation to round up; numbers just above an integer are rounded down to it, which is harmless. */
   private static final double UP = 1 - 1e-9;
 
   private int columns;
@@ -34,7 +34,7 @@ public final class TileWindow {
     all();
   }
 
-  /** Makes all of the tile the window; returns true. */
+  /** Sets the window to the whole tile; returns true. */
   boolean all() {
     leastColumn = -1;
     mostColumn = columns;

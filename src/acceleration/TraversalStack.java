@@ -3,8 +3,8 @@ package acceleration;
 import java.util.Arrays;
 
 /**
- * The links that wait while single rays go through trees, one stack for each thread, so that a ray allocates none. A tree in
- * a leaf of another one, asked during a visit to that leaf, uses the places above those in use.
+ * The pending links of traversals by single rays, one stack for each thread, so that a ray allocates nothing. A tree in a
+ * leaf of another one, traversed during a visit to that leaf, uses the places above those in use.
  */
 final class TraversalStack {
 
@@ -28,7 +28,7 @@ final class TraversalStack {
   }
 
   /**
-   * Takes places for a traversal. It gives them back by {@link #release}, even if it fails.
+   * Reserves places for a traversal, which has to return them by {@link #release}, even if it fails.
    *
    * @param count how many
    * @return the array of all places; those from {@link #used} before the call on are the traversal's own, and stay so while
@@ -43,7 +43,7 @@ final class TraversalStack {
     return links;
   }
 
-  /** Gives back the places from one on. */
+  /** Releases the places from one on. */
   void release(final int base) {
     used = base;
   }

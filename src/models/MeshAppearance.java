@@ -6,14 +6,17 @@ import java.awt.Color;
 import java.util.List;
 import java.util.SplittableRandom;
 
-/** What the triangles of a mesh look like: all the same, each by chance, or each as one of a list. */
+/** The appearance of the triangles of a mesh: one for all, random colours, or each from a list. */
 final class MeshAppearance {
 
   private final List<Appearance> appearances;
   /** For each triangle its appearance in the list; null: all have the first, or, if there is none, a random colour. */
   private final int[] ofTriangle;
 
-  /** Found once, as each pixel asks: the colour of all triangles, if they have one, and whether any is textured. */
+  /**
+   * Computed once, as it is needed for each pixel: the colour of all triangles, if they have one, and whether any is
+   * textured.
+   */
   private final boolean isTextured;
   private final boolean hasOneColor;
   private final int color;

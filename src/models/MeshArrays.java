@@ -7,7 +7,7 @@ import java.awt.Color;
 import java.util.Arrays;
 
 /**
- * The arrays of a mesh as it is hit: x, y, z of each vertex in floats, and the places there of the x of each triangle's
+ * The arrays of a mesh for intersection: x, y, z of each vertex in floats, and the indices of the x of each triangle's
  * three vertices. Triangles that have no area in floats are left out.
  */
 final class MeshArrays {
@@ -34,10 +34,10 @@ final class MeshArrays {
   }
 
   /**
-   * Arrays from outside, without the triangles that have no area: the coordinates as they are given, new corners.
+   * Arrays given by a caller, without the triangles that have no area: the given coordinates, and new corners.
    *
    * @param numbers vertex numbers, three to a triangle
-   * @throws IllegalArgumentException if something is wrong with them; see {@link TriangularMesh#of(float[], int[], Color)}
+   * @throws IllegalArgumentException if they are invalid; see {@link TriangularMesh#of(float[], int[], Color)}
    */
   static MeshArrays checked(final float[] coordinates, final String name, final int[] numbers) {
     if (coordinates.length % 3 != 0 || numbers.length % 3 != 0) {
@@ -84,7 +84,7 @@ final class MeshArrays {
     return 3 * numbers[i];
   }
 
-  /** Whether a triangle has an area at all: its normal, in double, is not zero. */
+  /** Whether a triangle has an area: its normal, in double, is not zero. */
   private static boolean hasArea(final float[] v, final int a, final int b, final int c) {
     final double px = (double) v[b] - v[a], py = (double) v[b + 1] - v[a + 1], pz = (double) v[b + 2] - v[a + 2];
     final double qx = (double) v[c] - v[a], qy = (double) v[c + 1] - v[a + 1], qz = (double) v[c + 2] - v[a + 2];

@@ -3,13 +3,13 @@ package models;
 import static arguments.Arguments.notNull;
 
 /**
- * A mesh as arrays in double precision, for whoever has many triangles, such as a reader of files. The arrays are kept as
- * they are and must not be changed afterwards.
+ * A mesh as arrays in double precision, for sources of many triangles, such as readers of files. The arrays are not
+ * copied, and must not be changed afterwards.
  *
  * @param coordinates x, y and z of each vertex
  * @param corners the three vertices of each triangle, counter-clockwise, as numbers from 0
- * @param normals what shades the corners; null for a flat mesh
- * @param texCoords where the corners lie in a texture; null for a mesh without texture coordinates
+ * @param normals the shading normals; null for a flat mesh
+ * @param texCoords the texture coordinates; null if there are none
  */
 public record MeshData(double[] coordinates, int[] corners, Normals normals, TexCoords texCoords) {
 
@@ -38,12 +38,12 @@ public record MeshData(double[] coordinates, int[] corners, Normals normals, Tex
   }
 
   /**
-   * Checks that the arrays are there.
+   * Checks that the arrays are not null.
    *
    * @param coordinates x, y and z of each vertex
    * @param corners the three vertices of each triangle
-   * @param normals what shades the corners, or null
-   * @param texCoords where the corners lie in a texture, or null
+   * @param normals the shading normals, or null
+   * @param texCoords the texture coordinates, or null
    * @throws IllegalArgumentException if the coordinates or the corners are null
    */
   public MeshData {

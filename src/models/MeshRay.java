@@ -17,7 +17,7 @@ final class MeshRay implements Bvh.Leaves {
     mesh.closest(ray, this);
   }
 
-  /** A question that is not asked yet. */
+  /** A query. */
   private MeshRay(final MeshTree mesh, final Ray ray) {
     this.ray = ray;
     this.mesh = mesh;

@@ -5,15 +5,15 @@ import tracer.Ray;
 
 /**
  * The shadow rays from the points that a tile of pixels sees to one light, and which of them are blocked: for each what
- * {@link Group3D#intersectAny} returns, found for all together. From the light's side they have nearly everything in common,
- * so boxes and triangles are left out for all of them at once; what remains is asked ray by ray, by the same code as a ray
- * alone.
+ * {@link Group3D#intersectAny} returns, found for all together. From the light's side they have nearly everything in
+ * common, so boxes and triangles are left out for all of them at once; the rest is tested ray by ray, by the code for
+ * single rays.
  *
- * <p>Who uses one clears it, puts in rays and calls {@link #findBlocked}. Not safe for use by several threads.
+ * <p>Usage: clear it, put in rays, and call {@link #findBlocked}. Not safe for use by several threads.
  */
 public final class ShadowTile {
 
-  /** Fewer rays are asked one by one. */
+  /** Fewer rays are tested one by one. */
   private static final int FEW = 8;
 
   private final SegmentTile segments = new SegmentTile();
@@ -69,7 +69,7 @@ public final class ShadowTile {
     blocked[count++] = false;
   }
 
-  /** The ray with a number, made when an object first asks for it. */
+  /** The ray with a number, created when first needed. */
   private Ray ray(final int i) {
     if (rays[i] == null) {
       rays[i] = Ray.exactly(segments.startX(i), segments.startY(i), segments.startZ(i),
@@ -87,7 +87,7 @@ public final class ShadowTile {
     findBlocked(scene, 0, count);
   }
 
-  /** Asks about the rays of some numbers together, or if they have neither an end nor a direction in common, by halves. */
+  /** Tests the rays of some numbers together, or by halves if they have neither an end nor a direction in common. */
   private void findBlocked(final Object3D scene, final int first, final int end) {
     if (end - first < FEW) {
       for (int i = first; i < end; i++) {
@@ -126,7 +126,7 @@ public final class ShadowTile {
     segments.block(i);
   }
 
-  /** Asks an object about the rays that it may block. */
+  /** Tests an object against the rays that it may block. */
   void ask(final Object3D object) {
     for (int word = 0; word < SegmentTile.WORDS; word++) {
       for (long bits = segments.candidates(word); bits != 0; bits &= bits - 1) {

@@ -5,15 +5,15 @@ import java.math.BigDecimal;
 import primitives.BoundingBox;
 
 /**
- * Where a ray meets a triangle, such that triangles which share an edge or a vertex leave no crack between them.
+ * Where a ray hits a triangle, without cracks between triangles that share an edge or a vertex.
  *
  * <p>Let A, B, C be the vertices less the start of the ray and d its direction. The ray's line passes on one side of the
- * edge BC or the other by the sign of d · (B × C), and it meets the triangle if the three signs do not differ; zero
- * goes with either. A triangle across the edge computes exactly the negated number, so a line cannot pass between the
- * two. Around a vertex that is not enough: there all the signs must come from one geometry. So a sign that rounding could
- * have changed is computed once more exactly, which is rare. The form by signed volumes is that of Davis, Davis, and
- * Amanatides as reported by Segura and Feito, "Algorithms to test ray-triangle intersection", WSCG 2001; the aim, though not
- * the method, is that of Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013; the filter
+ * edge BC or the other by the sign of d · (B × C), and it hits the triangle if the three signs do not differ; zero counts
+ * as either. A triangle across the edge computes exactly the negated number, so a line cannot pass between the two.
+ * Around a vertex that is not enough: there all the signs must come from one geometry. So a sign that rounding could have
+ * changed is computed once more exactly, which is rare. The form by signed volumes is that of Davis, Davis, and
+ * Amanatides as reported by Segura and Feito, "Algorithms to test ray-triangle intersection", WSCG 2001; the aim, though
+ * not the method, is that of Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013; the filter
  * before exact arithmetic that of Shewchuk, "Adaptive Precision Floating-Point Arithmetic", 1997.
  *
  * <p>t = A·N / d·N with the normal N = (B − A) × (C − A), whose edges do not cancel as the volumes do.
@@ -58,7 +58,7 @@ final class WatertightTest {
   }
 
   /**
-   * Distance at which a ray meets a triangle.
+   * Distance at which a ray hits a triangle.
    *
    * @param error what {@link #error} returned for a box of the triangle
    * @return the t, negative if the triangle is behind the start; NaN if the line misses it or lies in its plane

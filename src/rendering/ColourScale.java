@@ -1,8 +1,8 @@
 package rendering;
 
 /**
- * A scale that makes colours of numbers. The numbers lie on it unevenly, so that the many small ones can be told apart
- * and the few large ones have a place too.
+ * A scale that maps numbers to colours, non-linearly, so that the many small ones can be distinguished and the few large
+ * ones fit too.
  */
 public final class ColourScale {
 
@@ -17,7 +17,7 @@ public final class ColourScale {
   }
 
   /**
-   * The scale of distances, from white to black, evenly in 1/t: so an infinite plane leaves shades for what stands on it.
+   * The scale of distances, from white to black, linear in 1/t: so an infinite plane leaves shades for the objects on it.
    *
    * @param near least distance, &gt; 0
    * @param far greatest distance, at least the least one
@@ -28,7 +28,7 @@ public final class ColourScale {
   }
 
   /**
-   * The scale of costs, from black over red and yellow to white, evenly in the logarithm of 1 + c.
+   * The scale of costs, from black over red and yellow to white, linear in the logarithm of 1 + c.
    *
    * @param greatest the greatest cost, at least 0; the least one is 0
    * @return the scale
@@ -65,10 +65,10 @@ public final class ColourScale {
   }
 
   /**
-   * Where a number lies on the scale.
+   * The position of a number on the scale.
    *
    * @param value the number
-   * @return 0 at the least number, 1 at the greatest; numbers beyond lie at the ends
+   * @return 0 at the least number, 1 at the greatest; numbers beyond are clamped
    */
   public double position(final double value) {
     final double position = depth ? (1 / least - 1 / value) / (1 / least - 1 / greatest)
@@ -77,7 +77,7 @@ public final class ColourScale {
   }
 
   /**
-   * The number at a place of the scale.
+   * The number at a position of the scale.
    *
    * @param position 0 … 1
    * @return the number
@@ -87,7 +87,7 @@ public final class ColourScale {
   }
 
   /**
-   * The colour at a place of the scale.
+   * The colour at a position of the scale.
    *
    * @param position 0 … 1
    * @return sRGB, opaque
@@ -111,7 +111,7 @@ public final class ColourScale {
   }
 
   /**
-   * The colour at a place of this scale.
+   * The colour at a position of this scale.
    *
    * @param position 0 … 1
    * @return sRGB, opaque

@@ -13,8 +13,8 @@ import tracer.Ray;
 import tracer.RayGenerator;
 
 /**
- * Finds out, after a tile has failed, which object, light, or material failed at which pixel, so that its author reads more
- * than where the exception was thrown. The pixels are computed once more one by one, which nobody waits for.
+ * Finds out, after a tile has failed, which object, light, or material failed at which pixel, so that its author learns
+ * more than where the exception was thrown. The pixels are computed once more, one by one.
  */
 final class FailureLocator {
 
@@ -29,8 +29,8 @@ final class FailureLocator {
   }
 
   /**
-   * What to throw for the failure of a tile: an explanation with the failure as its cause, or else the failure itself. A
-   * full stack is the work of an object that calls itself for ever, or else of objects within too many others.
+   * The exception to throw for the failure of a tile: an explanation with the failure as its cause, or else the failure
+   * itself. A stack overflow is caused by an object that calls itself endlessly, or by objects nested too deeply.
    */
   RuntimeException explain(final Throwable failure, final int m, final int n, final int width, final int height) {
     final Throwable cause = failure instanceof TracingFailure ? failure.getCause() : failure;
@@ -38,7 +38,7 @@ final class FailureLocator {
     try {
       explanation = explanation(cause, m, n, width, height);
     } catch (StackOverflowError tooDeepForThisToo) {
-      // What follows holds all the more.
+      // The explanation below applies even more.
     }
     if (explanation != null) {
       return explanation;
@@ -60,7 +60,7 @@ final class FailureLocator {
     return null;
   }
 
-  /** What fails at a pixel, in words; null if nothing does. */
+  /** The failure at a pixel, in words; null if there is none. */
   private String fault(final int column, final int row, final Throwable cause) {
     final int m = GeneratorWindow.column(generator, column), n = GeneratorWindow.row(generator, row);
     final String origin = GeneratorWindow.origin(generator).getClass().getName();

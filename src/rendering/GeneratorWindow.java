@@ -31,7 +31,7 @@ public class GeneratorWindow extends RayGenerator {
         : new GeneratorWindow(rays, new int[] {0, bottom, rays.getWidth(), rows}, 1);
   }
 
-  /** The rays of a rectangle of pixels whose lowest leftmost is (m, n), of which each takes a square of the given rays. */
+  /** The rays of a rectangle of pixels whose lower left one is (m, n), each of a square of the given rays. */
   static GeneratorWindow ofPixels(final RayGenerator rays, final int m, final int n, final int width, final int height,
       final int samples) {
     return new GeneratorWindow(rays, new int[] {m * samples, n * samples, width * samples, height * samples}, samples);
@@ -58,7 +58,7 @@ public class GeneratorWindow extends RayGenerator {
     rays.fill(tile, left + m, bottom + n);
   }
 
-  /** Who makes the rays, in the end. */
+  /** The generator that makes the rays in the end. */
   static RayGenerator origin(final RayGenerator generator) {
     return generator instanceof GeneratorWindow window ? origin(window.rays) : generator;
   }

@@ -17,26 +17,25 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * The light of a scene: what its lights bring to each hit, unless an object blocks them, and what ideal reflection and
- * refraction show there. Source: Whitted, "An improved illumination model for shaded display", Communications of the ACM
- * 23(6), 1980.
+ * The illumination of a scene: at each hit the light of its lights, unless an object blocks it, and the light of ideal
+ * reflection and refraction. Source: Whitted, "An improved illumination model for shaded display", Communications of the
+ * ACM 23(6), 1980.
  *
  * <p><img src="doc-files/Illumination.png" width="320" height="320" alt="A glass ball and a mirror ball in a room">
  *
  * <p>The radiance L of a hit is the sum over the lights of f(wi, wo) |n·wi| E, with E the irradiance of the light, if no
- * object lies on the open segment between; plus, for a material with an ideal part, its factors times the radiance that the
- * reflected and the refracted ray bring. The ray of a pixel has depth 0, and a ray made at a hit of a ray of depth k has
- * depth k + 1; rays deeper than the recursion depth bring nothing. Those that leave the scene bring the radiance that is
- * shown as the background. A pixel is 10 · 2<sup>exposure</sup> · L, cut to 1 and encoded by IEC 61966-2-1 (sRGB); so at
- * exposure 0 a white matte surface is white at an irradiance of π/10.
+ * object lies on the open segment between; plus, for a material with an ideal part, its factors times the radiance along
+ * the reflected and the refracted ray. The ray of a pixel has depth 0, and a ray made at a hit of a ray of depth k has
+ * depth k + 1; rays deeper than the recursion depth contribute nothing. Rays that leave the scene contribute the radiance
+ * that is shown as the background. A pixel is 10 · 2<sup>exposure</sup> · L, clamped to 1 and encoded by IEC 61966-2-1
+ * (sRGB); so at exposure 0 a white matte surface is white at an irradiance of π/10.
  *
- * <p>An object without a material is matte, of its colour at the hit. Every object blocks light, transparent ones too.
- * Immutable, but for working space that each thread has of its own; the lights are those that the group holds when this is
- * made.
+ * <p>An object without a material is matte, in its colour at the hit. Every object blocks light, transparent ones too.
+ * Immutable, except for working space of each thread; the lights are those of the group at construction.
  */
 public final class Illumination implements Shading {
 
-  /** What is shown as 1 at exposure 0, as its reciprocal. */
+  /** The reciprocal of the radiance that is shown as 1 at exposure 0. */
   private static final double WHITE = 10;
 
   private static final double MOST_STOPS = 20;
@@ -55,7 +54,7 @@ public final class Illumination implements Shading {
    * @param scene the objects, which reflect light and block it
    * @param lights the lights
    * @param recursionDepth greatest depth of a ray, at least 0; 0 is direct light only
-   * @param background colour that rays which leave the scene show
+   * @param background colour shown by rays that leave the scene
    * @throws IllegalArgumentException if an argument is null, or the depth negative
    */
   public Illumination(final Group3D scene, final LightGroup lights, final int recursionDepth, final Color background) {
@@ -77,7 +76,7 @@ public final class Illumination implements Shading {
   }
 
   /**
-   * The same light, seen brighter or darker. The background stays as it is.
+   * The same illumination at another exposure. The background is not affected.
    *
    * @param exposure in stops, −20 … 20: each doubles the brightness
    * @return the new illumination
@@ -88,8 +87,8 @@ public final class Illumination implements Shading {
   }
 
   /**
-   * What one of the lights brings: the light of the scene is the sum of those of all its lights, and of what rays that leave
-   * the scene show of the background.
+   * The contribution of one light: the illumination is the sum of those of all lights, and of the background that rays
+   * that leave the scene show.
    *
    * @param number number of the light, from 0
    * @return the illumination by this light alone, before a black background
@@ -112,13 +111,13 @@ public final class Illumination implements Shading {
     return SrgbEncoding.argb(gain * r, gain * g, gain * b);
   }
 
-  /** A tracer for the calling thread alone. */
+  /** A tracer for the calling thread. */
   WhittedTracer tracer() {
     return new WhittedTracer(this);
   }
 
   /**
-   * The radiance that comes along a ray, and how it comes about.
+   * The radiance along a ray, with a report of its contributions.
    *
    * @param ray the ray, of depth 0
    * @param hit its closest hit in the scene
@@ -184,7 +183,7 @@ public final class Illumination implements Shading {
   /**
    * The exposure.
    *
-   * @return in stops; 0 unless it was chosen
+   * @return in stops; 0 by default
    */
   public double exposure() {
     return stops;

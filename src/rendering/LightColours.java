@@ -12,12 +12,12 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * Which light brings how much: a colour for each light, as bright as the luminance that it brings to the pixel, added up.
- * What mirrors and glass show of the background is no light of the scene and is left out.
+ * Shows how much each light contributes: a colour for each light, scaled by the luminance that it contributes to the
+ * pixel, added up. The background in mirrors and glass is not light of the scene and is left out.
  */
 public final class LightColours implements Shading {
 
-  /** Parts of red, green, and blue in the luminance of linear sRGB: IEC 61966-2-1, 1999. */
+  /** Weights of red, green, and blue in the luminance of linear sRGB: IEC 61966-2-1, 1999. */
   private static final double[] LUMINANCE = {0.2126, 0.7152, 0.0722};
 
   private final Illumination illumination;

@@ -25,7 +25,7 @@ public interface LightObserver {
    * @param hit the hit
    * @param depth depth of the ray, 0 for the ray of the pixel
    * @param weight product of the factors on the way from the pixel
-   * @param material the material; the matte one of its colour for an object without
+   * @param material the material; a matte one of its colour for an object without
    * @param normal the shading normal on the viewer's side
    * @param isOutside whether the viewer is on the side of the surface's own normal
    */

@@ -6,7 +6,7 @@ import materials.Lambertian;
 import materials.Material;
 import radiometry.ReflectanceRGB;
 
-/** The matte materials of colours, of which some are kept: to decode a colour takes three powers. One for each thread. */
+/** A cache of the matte materials of colours, as decoding a colour takes three powers. One for each thread. */
 final class MatteMaterials {
 
   private static final int SIZE = 256;
@@ -14,7 +14,7 @@ final class MatteMaterials {
   private final int[] colours = new int[SIZE];
   private final Material[] materials = new Material[SIZE];
 
-  /** The matte material of a colour, whose alpha does not matter. */
+  /** The matte material of a colour; alpha is ignored. */
   Material of(final Color color) {
     final int rgb = color.getRGB(), place = (rgb * 0x9E3779B1) >>> 24;
     if (materials[place] == null || colours[place] != rgb) {

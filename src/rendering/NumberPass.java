@@ -33,7 +33,7 @@ public final class NumberPass implements PixelWriter {
   }
 
   /**
-   * What it costs to find each hit, or that there is none: see {@link Cost}. A pixel without a ray costs nothing.
+   * The cost of each ray: see {@link Cost}. A pixel without a ray costs nothing.
    *
    * @param pixels number of pixels
    * @param scene the scene
@@ -59,7 +59,7 @@ public final class NumberPass implements PixelWriter {
    * The number of a pixel.
    *
    * @param pixel its number, row by row from the top
-   * @return the number; NaN if it has none, or is not computed yet
+   * @return the number; NaN if it has none, or has not been computed yet
    */
   public double at(final int pixel) {
     return numbers[pixel];

@@ -11,10 +11,10 @@ import models.Object3D;
 import tracer.Hit;
 import tracer.Ray;
 
-/** A colour for each object of a scene, whatever it is made of. Objects within groups have their own. */
+/** A colour for each object of a scene, whatever its material. Objects within groups have colours of their own. */
 public final class ObjectColours implements Shading {
 
-  /** Part of the colour circle between one object and the next: neighbours differ, and it takes long to come round. */
+  /** Fraction of the colour circle between one object and the next: neighbours differ, and colours repeat late. */
   private static final float GOLDEN_RATIO = 0.618034f;
 
   private final Group3D scene;

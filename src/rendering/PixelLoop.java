@@ -9,9 +9,9 @@ import tracer.Ray;
 import tracer.RayGenerator;
 
 /**
- * How a scene becomes a picture, pixel by pixel as the assignment says it: the ray of the pixel, the closest of its hits
- * with all objects, the colour of what is hit, or the background. {@link TileRenderer} computes the same faster, bit for
- * bit. A debugger shows best what happens here: a breakpoint in the {@code intersectionWith} of a shape stops at each ray.
+ * How a scene becomes a picture, pixel by pixel as the assignment describes it: the ray of the pixel, the closest of its
+ * hits with all objects, the colour of what is hit, or the background. {@link TileRenderer} computes the same pixels
+ * faster, bit for bit. For debuggers: a breakpoint in the {@code intersectionWith} of a shape stops at each ray.
  */
 public final class PixelLoop {
 
@@ -25,8 +25,8 @@ public final class PixelLoop {
    *
    * @param scene the scene
    * @param generator the rays of the picture, which give its size
-   * @param progress watches the rows
-   * @param picture what becomes of each pixel
+   * @param progress is notified of finished rows
+   * @param picture receives each pixel
    */
   public PixelLoop(final Group3D scene, final RayGenerator generator, final Progress progress, final PixelWriter picture) {
     this.scene = scene;

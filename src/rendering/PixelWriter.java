@@ -4,13 +4,13 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * What becomes of each pixel of a picture: a colour, or a number of some pass. Called by several threads at once, for each
- * pixel once.
+ * Receives the hit of each pixel of a picture, and makes a colour of it, or a number of some pass. Called by several
+ * threads concurrently, once for each pixel.
  */
 public interface PixelWriter {
 
   /**
-   * The ray of a pixel hits something.
+   * Called for a pixel whose ray hits something.
    *
    * @param pixel number of the pixel, row by row from the top
    * @param ray its ray
@@ -19,7 +19,7 @@ public interface PixelWriter {
   void hit(int pixel, Ray ray, Hit hit);
 
   /**
-   * The ray of a pixel hits nothing.
+   * Called for a pixel whose ray hits nothing.
    *
    * @param pixel number of the pixel, row by row from the top
    * @param ray its ray; {@link Ray#NORAY} if the projection sends none through the pixel

@@ -1,6 +1,9 @@
 package rendering;
 
-/** Watches an image come into being, and may stop it. Called by the threads that compute, so it must be quick and safe. */
+/**
+ * Watches the progress of a rendering, and may stop it. Called by the rendering threads, so it must be quick and
+ * thread-safe.
+ */
 @FunctionalInterface
 public interface Progress {
 

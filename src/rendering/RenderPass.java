@@ -27,38 +27,38 @@ public enum RenderPass {
    */
   DEPTH,
   /**
-   * The object: a colour for each of the scene.
+   * The object: a distinct colour for each.
    *
    * <p><img src="doc-files/object.png" width="320" height="213" alt="A colour for each object">
    */
   OBJECT,
   /**
-   * What it costs to find the hit, or that there is none: see {@link models.Cost} and {@link ColourScale#ofCost}.
+   * The cost of the ray: see {@link models.Cost} and {@link ColourScale#ofCost}.
    *
    * <p><img src="doc-files/cost.png" width="320" height="213" alt="The cost of each ray, dark to bright">
    */
   COST,
   /**
-   * The light: a colour for each light of the scene, mixed by what it brings; see {@link LightColours}.
+   * The light: a colour for each light of the scene, scaled by its contribution; see {@link LightColours}.
    *
    * <p><img src="doc-files/light.png" width="320" height="213" alt="A colour for each light">
    */
   LIGHT;
 
   /**
-   * The name of the view on the command line.
+   * The name of the pass on the command line.
    *
-   * @return its name in small letters
+   * @return its name in lower case
    */
   public String option() {
     return name().toLowerCase(Locale.ROOT);
   }
 
   /**
-   * The view of a name of the command line.
+   * The pass of a name of the command line.
    *
-   * @param name the name, in small or capital letters
-   * @return the view; empty if there is none of this name
+   * @param name the name, in any case
+   * @return the pass; empty if there is none of this name
    * @throws IllegalArgumentException if the name is null
    */
   public static Optional<RenderPass> named(final String name) {

@@ -9,7 +9,7 @@ import models.Group3D;
 import tracer.RayGenerator;
 
 /**
- * How an image is computed: what does not belong to the scene or the camera.
+ * How an image is computed: everything but the scene and the camera.
  *
  * @param threads number of threads, at least 1; the picture does not depend on it
  * @param shading how a hit becomes a colour
@@ -19,10 +19,10 @@ import tracer.RayGenerator;
  */
 public record RenderSettings(int threads, Shading shading, Progress progress, boolean pixelLoop) {
 
-  /** The system property which, if true, has the pixels computed one after the other: for a debugger. */
+  /** The system property which, if true, selects the loop over the pixels, for a debugger. */
   public static final String PIXEL_LOOP = "rendering.pixelLoop";
 
-  /** All cores, plain colours, nobody watching. */
+  /** All cores, plain colours, no observer. */
   public static final RenderSettings STANDARD =
       new RenderSettings(Runtime.getRuntime().availableProcessors(), Shading.PLAIN, Progress.NONE);
 
@@ -69,7 +69,7 @@ public record RenderSettings(int threads, Shading shading, Progress progress, bo
         : new TileRenderer(scene, generator, this, picture).run(factory);
   }
 
-  /** Has the boxes of user-written shapes asked for anew, before a picture. */
+  /** Before a picture, queries the boxes of user-written shapes again. */
   void refresh(final Group3D scene) {
     scene.refresh();
     if (shading instanceof Illumination light) {
@@ -77,7 +77,7 @@ public record RenderSettings(int threads, Shading shading, Progress progress, bo
     }
   }
 
-  /** Renders a part of a picture, of objects that are as they were when it began. */
+  /** Renders a part of a picture, whose objects have not changed since its beginning. */
   boolean renderPart(final Group3D scene, final RayGenerator generator, final PixelWriter picture,
       final ThreadFactory factory) {
     return pixelLoop ? new PixelLoop(scene, generator, progress, picture).run()
@@ -85,11 +85,11 @@ public record RenderSettings(int threads, Shading shading, Progress progress, bo
   }
 
   /**
-   * The pixels of this shading.
+   * A writer of the colours of this shading.
    *
-   * @param pixels where they go, as sRGB with alpha, the top row first
+   * @param pixels the destination, as sRGB with alpha, the top row first
    * @param background pixel without a hit
-   * @return what writes them
+   * @return the writer
    */
   public PixelWriter colours(final int[] pixels, final int background) {
     return new ColourWriter(shading, pixels, background);
@@ -126,7 +126,7 @@ public record RenderSettings(int threads, Shading shading, Progress progress, bo
   }
 
   /**
-   * The same by the loop of the assignment, one pixel after the other.
+   * The same settings with the loop of the assignment, one pixel after the other.
    *
    * @return the new settings
    */

@@ -9,7 +9,7 @@ import models.Group3D;
 import view.Camera;
 
 /**
- * What a picture is made of.
+ * The contents of a picture.
  *
  * @param objects the objects
  * @param camera the camera, which has a projection

@@ -5,7 +5,7 @@ import java.awt.Color;
 import tracer.Hit;
 import tracer.Ray;
 
-/** How a hit becomes a colour. Asked by several threads at once. */
+/** How a hit becomes a colour. Called by several threads concurrently. */
 @FunctionalInterface
 public interface Shading {
 
@@ -13,9 +13,9 @@ public interface Shading {
   Shading PLAIN = (ray, hit) -> hit.getObject().getColorAt(hit).getRGB();
 
   /**
-   * The colour of the object at the hit by how directly the surface faces the ray: its sRGB values times the cosine between
-   * the ray and the normal that shades, on the side of the geometric normal from which the ray comes; 0 where that normal is
-   * turned away. Alpha stays.
+   * The colour of the object at the hit, as bright as the surface faces the ray: its sRGB values times the cosine between
+   * the ray and the normal that shades, on the side of the geometric normal from which the ray comes; 0 where that normal
+   * is turned away. Alpha stays.
    */
   Shading FACING = (ray, hit) -> {
     final double dx = ray.directionX(), dy = ray.directionY(), dz = ray.directionZ();
@@ -31,7 +31,7 @@ public interface Shading {
    * The colour of a pixel.
    *
    * @param ray the pixel's ray
-   * @param hit what it meets, a hit
+   * @param hit its hit, not {@link Hit#NOHIT}
    * @return sRGB with alpha in the highest byte
    */
   int argb(Ray ray, Hit hit);

@@ -1,9 +1,8 @@
 package rendering;
 
 /**
- * How linear light becomes the numbers of a pixel: cut to [0, 1], encoded by IEC 61966-2-1, "Default RGB colour space -
- * sRGB", 1999, and rounded to 8 bits. As raising to a power takes long, the numbers where one level ends and the next begins
- * are computed once.
+ * Encodes linear light as the numbers of a pixel: clamped to [0, 1], encoded by IEC 61966-2-1, "Default RGB colour space
+ * - sRGB", 1999, and rounded to 8 bits. As powers are slow, the thresholds between levels are computed once.
  */
 final class SrgbEncoding {
 
@@ -45,7 +44,7 @@ final class SrgbEncoding {
     }
   }
 
-  /** The numbers that the levels stand for. */
+  /** The linear values of the levels. */
   private static final double[] NUMBERS = new double[256];
 
   static {
@@ -71,7 +70,7 @@ final class SrgbEncoding {
     return 0xff << 24 | channel(r) << 16 | channel(g) << 8 | channel(b);
   }
 
-  /** The number that a level stands for. */
+  /** The linear value of a level. */
   static double number(final int level) {
     return NUMBERS[level];
   }

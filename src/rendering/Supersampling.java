@@ -9,10 +9,10 @@ import models.Group3D;
 import tracer.RayGenerator;
 
 /**
- * A picture with K × K rays for each pixel, in a regular grid: those of the camera for a picture K times as wide and K times
- * as high. A pixel is the mean of their colours in linear light, with alpha premultiplied. The picture is computed in
- * blocks, each by one thread, in the order of their rays, so its bits do not depend on the number of threads; a block is all
- * that is held of the K² times larger picture.
+ * A picture with K × K rays for each pixel, in a regular grid: those of the camera for a picture K times as wide and K
+ * times as high. A pixel is the mean of their colours in linear light, with alpha premultiplied. The picture is computed
+ * in blocks, each by one thread, in the order of their rays, so its bits do not depend on the number of threads. Only a
+ * block of the K² times larger picture is in memory.
  *
  * <p><img src="doc-files/Supersampling.png" width="320" height="106" alt="Jagged edges, and smooth ones">
  */

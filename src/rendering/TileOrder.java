@@ -1,6 +1,6 @@
 package rendering;
 
-/** The order in which tiles are computed if somebody watches: from the centre outwards. */
+/** The order in which tiles are computed if there is an observer: from the centre outwards. */
 final class TileOrder {
 
   private TileOrder() {

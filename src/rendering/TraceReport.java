@@ -8,7 +8,7 @@ import materials.SurfaceInteraction;
 import radiometry.RadianceRGB;
 import tracer.Ray;
 
-/** Reports the steps of a {@link WhittedTracer} to an observer. Without one nothing of this is used. */
+/** Reports the steps of a {@link WhittedTracer} to an observer. Unused without one. */
 final class TraceReport {
 
   private final LightObserver observer;
@@ -46,7 +46,7 @@ final class TraceReport {
     return new RadianceRGB(incidence.irradianceR(), incidence.irradianceG(), incidence.irradianceB());
   }
 
-  /** A light that the surface reflects or transmits, of which an object may still block the way. */
+  /** A light that the surface reflects or transmits, unless an object blocks it. */
   void light(final Light light, final int number, final boolean isBlocked, final RadianceRGB radiance, final Ray shadowRay,
       final double distance) {
     observer.light(new LightObserver.Contribution(light, number,

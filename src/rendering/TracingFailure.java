@@ -7,7 +7,7 @@ final class TracingFailure extends RuntimeException {
 
   private static final long serialVersionUID = 1L;
 
-  /** The method that failed; null if it is one of the objects of the scene, which is not known yet. */
+  /** The method that failed; null if it is one of an object of the scene, which is not known yet. */
   private final transient String call;
   private final transient Ray ray;
 

@@ -5,15 +5,15 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * A surface as the ray that hits it sees it: both normals turned together to the side of the ray, and the one that shades
- * bent so that it faces the ray. With s = ±1 the sign of g·wo: g<sub>v</sub> = s g, and n = lift(s n, wo) where the two
- * normals differ. lift(w, a) = unit(w + max(0, ε − w·a) a) is the direction w, bent no more than needed to stand on the side
- * of a. So nothing that is behind the facet lights it (Veach, "Robust Monte Carlo Methods for Light Transport Simulation",
- * 1997, section 5.3). Mutable, one for each thread.
+ * A surface as seen by the ray that hits it: both normals are turned together to the side of the ray, and the shading
+ * normal is bent so that it faces the ray. With s = ±1 the sign of g·wo: g<sub>v</sub> = s g, and n = lift(s n, wo) where
+ * the two normals differ. lift(w, a) = unit(w + max(0, ε − w·a) a) is the direction w, bent no more than needed to be on
+ * the side of a. So nothing behind the facet lights it (Veach, "Robust Monte Carlo Methods for Light Transport
+ * Simulation", 1997, section 5.3). Mutable, one for each thread.
  */
 final class ViewedSurface {
 
-  /** ε: least cosine to the normal of what was lifted. */
+  /** ε: least cosine of a lifted direction to the normal. */
   private static final double LIFT = 1e-3;
 
   private Hit hit = Hit.NOHIT;
@@ -29,7 +29,7 @@ final class ViewedSurface {
   private double ny;
   private double nz;
   private double distance;
-  /** What {@link #lift} leaves. */
+  /** The result of {@link #lift}. */
   private double x;
   private double y;
   private double z;

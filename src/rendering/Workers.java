@@ -2,19 +2,19 @@ package rendering;
 
 import java.util.concurrent.ThreadFactory;
 
-/** Several threads that share out one work among themselves. */
+/** Threads that share one task. */
 final class Workers {
 
   private Workers() {
   }
 
   /**
-   * Has the work done by the calling thread and by others, and returns when all have returned. There are fewer threads if
-   * the system does not allow so many.
+   * Runs a task on the calling thread and on others, and returns when all have returned. There are fewer threads if the
+   * system does not allow so many.
    *
    * @param threads number of threads, the calling one included
    * @param factory makes the others
-   * @param work what each does; it shares out the parts and keeps its failures to itself
+   * @param work the task of each, which takes its parts itself
    */
   static void run(final int threads, final ThreadFactory factory, final Runnable work) {
     final Thread[] helpers = new Thread[threads - 1];
@@ -38,7 +38,7 @@ final class Workers {
         threads[started].start();
       }
     } catch (OutOfMemoryError noMoreThreads) {
-      // Those that have started, and the calling thread, share the work.
+      // The threads that have started share the task with the calling thread.
     }
     return started;
   }

@@ -1,8 +1,8 @@
 /**
  * How a scene becomes pixels. {@link rendering.PixelLoop}, to be read first, is the loop of the assignment; a
- * {@link rendering.TileRenderer} gives the same pixels faster, in tiles shared out among threads. What becomes of a pixel is
- * up to a {@link rendering.PixelWriter}: a colour, which a {@link rendering.Shading} makes of the hit, or a number of a
- * {@link rendering.NumberPass}. {@link rendering.RenderSettings} choose all of it.
+ * {@link rendering.TileRenderer} gives the same pixels faster, in tiles shared out among threads. A
+ * {@link rendering.PixelWriter} receives the hit of each pixel: it makes a colour by a {@link rendering.Shading}, or the
+ * number of a {@link rendering.NumberPass}. {@link rendering.RenderSettings} select all of it.
  *
  * <p>{@link rendering.Illumination} is the shading of a lit scene: at each hit the lights that nothing blocks, then the
  * ideally reflected and refracted rays, whose hits are shaded in the same way. Its numbers are those of
