@@ -149,15 +149,19 @@ public final class Hit {
     assert isUnit(nx, ny, nz) : "no unit normal: " + nx + ", " + ny + ", " + nz;
   }
 
-  /** A hit whose normal that shades is turned away from the geometric one, or is that one. */
-  private static Hit cut(final Hit flat, final double nx, final double ny, final double nz, final double u, final double v) {
-    final double gx = flat.geometricX, gy = flat.geometricY, gz = flat.geometricZ;
-    final double length = Math.sqrt(nx * nx + ny * ny + nz * nz), behind = (nx * gx + ny * gy + nz * gz) / length;
-    final double cx = nx / length - behind * gx, cy = ny / length - behind * gy, cz = nz / length - behind * gz;
-    final double cut = Math.sqrt(cx * cx + cy * cy + cz * cz);
-    final boolean isLong = behind < 0 && cut >= SHORTEST;
-    return new Hit(flat.t, flat.x, flat.y, flat.z, flat.error, flat.object, gx, gy, gz,
-        isLong ? cx / cut : gx, isLong ? cy / cut : gy, isLong ? cz / cut : gz, u, v);
+  /** This hit with another normal that shades, of unit length. */
+  private Hit with(final double nx, final double ny, final double nz, final double textureU, final double textureV) {
+    return new Hit(t, x, y, z, error, object, geometricX, geometricY, geometricZ, nx, ny, nz, textureU, textureV);
+  }
+
+  /** This hit with a normal that shades, of any length, which is cut to the front. */
+  private Hit withCut(final double nx, final double ny, final double nz, final double textureU, final double textureV) {
+    final double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+    final double behind = Math.min(0, (nx * geometricX + ny * geometricY + nz * geometricZ) / length);
+    final double cx = nx / length - behind * geometricX, cy = ny / length - behind * geometricY,
+        cz = nz / length - behind * geometricZ, cut = Math.sqrt(cx * cx + cy * cy + cz * cz);
+    return cut >= SHORTEST ? with(cx / cut, cy / cut, cz / cut, textureU, textureV)
+        : with(geometricX, geometricY, geometricZ, textureU, textureV);
   }
 
   private static boolean isUnit(final double x, final double y, final double z) {
@@ -236,8 +240,10 @@ public final class Hit {
     if (!isSound(t, x, y, z, length2)) {
       return NOHIT;
     }
-    if (!(nx * gx + ny * gy + nz * gz >= 0) || nx == gx && ny == gy && nz == gz) {
-      return cut(new Hit(t, x, y, z, gx, gy, gz, error, object), nx, ny, nz, u, v);
+    final boolean isOwn = nx == gx && ny == gy && nz == gz;
+    if (isOwn || !(nx * gx + ny * gy + nz * gz >= 0)) {
+      final Hit flat = new Hit(t, x, y, z, gx, gy, gz, error, object);
+      return isOwn ? flat.with(flat.geometricX, flat.geometricY, flat.geometricZ, u, v) : flat.withCut(nx, ny, nz, u, v);
     }
     final double length = Math.sqrt(length2), inverse = 1 / Math.sqrt(nx * nx + ny * ny + nz * nz);
     return new Hit(t, x, y, z, error, object, gx / length, gy / length, gz / length,

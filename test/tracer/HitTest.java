@@ -157,6 +157,22 @@ class HitTest {
     });
   }
 
+  /** Where rounding alone decides whether a normal is cut, it is the same as far as rounding goes. */
+  @Test
+  void normalAtRightAnglesIsKept() {
+    Trials.of(2000, random -> {
+      final double[] g = vector(random), n = vector(random), unitG = unit(g);
+      for (int pass = 0; pass < 2; pass++) {
+        final double along = n[0] * unitG[0] + n[1] * unitG[1] + n[2] * unitG[2];
+        for (int i = 0; i < 3; i++) {
+          n[i] -= along * unitG[i];
+        }
+      }
+      final Hit hit = shaded(g, n, Double.NaN, Double.NaN);
+      assertArrayEquals(unit(n), new double[] {hit.normalX(), hit.normalY(), hit.normalZ()}, 1e-10);
+    });
+  }
+
   /** Where both normals are one vector the hit is that of the object that is not smooth, without a rounding between them. */
   @Test
   void normalThatShadesAsTheSurfaceIsTheGeometricOneBitForBit() {
