@@ -69,7 +69,7 @@ final class Settings {
     return path(preferences.get("folder", "")).orElse(Path.of(""));
   }
 
-  /** A stored path, unless it was stored in another locale, or by another system, and is none here. */
+  /** A stored path; empty if it is invalid here, as it was stored in another locale or by another system. */
   private static Optional<Path> path(final String text) {
     try {
       return Optional.of(Path.of(text));

@@ -30,7 +30,7 @@ import view.Camera;
 import view.Orthographic;
 import view.Perspective;
 
-/** A scene answers alike however it is asked: ray by ray, by tiles, for the closest hit and for any, transformed or not. */
+/** All queries of a scene agree: ray by ray, by tiles, for the closest hit and for any, transformed or not. */
 class SceneQueriesTest {
 
   /** A ball as a student writes it: in floats, and with nothing but the one method. */

@@ -27,7 +27,7 @@ import tracer.Ray;
 import view.Camera;
 import view.Perspective;
 
-/** What an observer is told of each step of the light is what the lights, the materials and the objects say themselves. */
+/** The reports to an observer agree with the lights, the materials and the objects themselves. */
 class ObservedLightTest {
 
   private static double largest(final RadianceRGB radiance) {
@@ -40,7 +40,7 @@ class ObservedLightTest {
     assertEquals(a.getB() * b.getB(), product.getB(), 1e-12 * (1 + product.getB()));
   }
 
-  /** Checks what it is told of one primary ray. */
+  /** Checks the reports about one primary ray. */
   private static final class Checker implements LightObserver {
 
     private final Group3D scene;

@@ -22,7 +22,7 @@ import view.Perspective;
 /** Illumination agrees with {@link RecursiveTracer} in scenes of all materials and lights, with bent normals. */
 class RecursiveTracerTest {
 
-  /** What an observer is told, added up. */
+  /** The sum of the contributions reported to an observer. */
   private static final class Sum implements LightObserver {
 
     private RadianceRGB total = RadianceRGB.NORADIANCE;
