@@ -140,7 +140,7 @@ final class DirectLight {
     final double k = Math.abs(cosine[i]);
     interaction.setIrradiance(k * incidence.irradianceR(i), k * incidence.irradianceG(i), k * incidence.irradianceB(i));
     material.scatter(interaction);
-    WhittedTracer.check(interaction);
+    TracerCalls.check(interaction);
     lightR[i] = interaction.radianceR();
     lightG[i] = interaction.radianceG();
     lightB[i] = interaction.radianceB();

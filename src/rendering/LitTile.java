@@ -10,7 +10,8 @@ import tracer.Ray;
 
 /**
  * Shades the pixels of a tile under an {@link Illumination}: what the lights bring is found for all first hits together,
- * then mirrors and glass are followed pixel by pixel. One for each thread.
+ * then mirrors and glass are followed pixel by pixel, and what the lights bring to the surfaces seen in them is found
+ * for many of those together. One for each thread.
  */
 final class LitTile {
 
@@ -20,9 +21,13 @@ final class LitTile {
   private final WhittedTracer tracer;
   private final TileSurfaces surfaces = new TileSurfaces();
   private final DirectLight light;
+  private final DeferredLight deferred;
+  private final TracerCalls calls;
+  private final ViewedSurface viewed = new ViewedSurface();
   private final SpecularRays specular = new SpecularRays();
   private final Ray[] rays = new Ray[MOST];
   private final Hit[] found = new Hit[MOST];
+  private final Material[] materials = new Material[MOST];
   /** The number of each pixel among the surfaces, −1 if its material does not scatter. */
   private final int[] numbers = new int[MOST];
 
@@ -30,9 +35,11 @@ final class LitTile {
     this.illumination = illumination;
     this.tracer = illumination.tracer();
     this.light = new DirectLight(illumination, surfaces);
+    this.deferred = new DeferredLight(illumination);
+    this.calls = new TracerCalls(illumination.scene());
   }
 
-  /** Finds the hits of a rectangle of pixels, no larger than {@link SegmentTile#SIZE}, and what the lights bring to them. */
+  /** Finds the hits of a rectangle of pixels, no larger than {@link SegmentTile#SIZE}, and their radiances. */
   void prepare(final TileHits hits, final int first, final int width, final int height) {
     surfaces.clear();
     for (int row = 0; row < height; row++) {
@@ -45,6 +52,14 @@ final class LitTile {
       }
     }
     light.find();
+    for (int row = 0; row < height; row++) {
+      for (int i = first + row * RayTile.SIZE; i < first + row * RayTile.SIZE + width; i++) {
+        if (found[i].hits()) {
+          follow(i);
+        }
+      }
+    }
+    deferred.find();
   }
 
   private void prepare(final int i, final Ray ray, final Hit hit) {
@@ -52,11 +67,22 @@ final class LitTile {
     found[i] = hit;
     numbers[i] = -1;
     if (hit.hits()) {
-      final Material material = tracer.material(ray, hit);
-      if (material.scatters()) {
+      materials[i] = calls.material(ray, hit);
+      if (materials[i].scatters()) {
         numbers[i] = surfaces.count();
-        surfaces.add(ray, hit, material);
+        viewed.set(ray, hit);
+        surfaces.add(ray, hit, viewed, materials[i]);
       }
+    }
+  }
+
+  /** Follows the rays that leave the surface of a pixel, to what is added to what its lights bring. */
+  private void follow(final int i) {
+    final int k = numbers[i];
+    deferred.begin(i, k < 0 ? 0 : light.r(k), k < 0 ? 0 : light.g(k), k < 0 ? 0 : light.b(k));
+    if (illumination.recursionDepth() > 0 && (k < 0 || calls.isSpecular(materials[i], rays[i], surfaces.cosine[k],
+        surfaces.outside[k], specular))) {
+      tracer.traceSpecular(rays[i], found[i], materials[i], deferred);
     }
   }
 
@@ -82,18 +108,6 @@ final class LitTile {
 
   /** The colour of a pixel that hits something. */
   int argb(final int i) {
-    final int k = numbers[i];
-    if (k < 0) {
-      tracer.trace(rays[i], found[i], LightObserver.NONE);
-    } else if (illumination.recursionDepth() > 0 && isSpecular(k)) {
-      tracer.traceSpecular(rays[i], found[i], surfaces.materials[k], light.r(k), light.g(k), light.b(k));
-    } else {
-      return illumination.encoded(light.r(k), light.g(k), light.b(k));
-    }
-    return illumination.encoded(tracer.r(), tracer.g(), tracer.b());
-  }
-
-  private boolean isSpecular(final int k) {
-    return surfaces.materials[k].specular(Math.max(0, Math.min(1, surfaces.cosine[k])), surfaces.outside[k], specular);
+    return illumination.encoded(deferred.r(i), deferred.g(i), deferred.b(i));
   }
 }

@@ -37,7 +37,6 @@ final class TileSurfaces {
   final Ray[] rays = new Ray[MOST];
   final Hit[] hits = new Hit[MOST];
 
-  private final ViewedSurface viewed = new ViewedSurface();
   private int count;
 
   /** Removes all surfaces. */
@@ -54,10 +53,9 @@ final class TileSurfaces {
     return hits[i].errorBound() < Double.POSITIVE_INFINITY;
   }
 
-  /** Puts in the surface that the ray sees. */
-  void add(final Ray ray, final Hit hit, final Material material) {
+  /** Puts in the surface of a hit, as the ray sees it. */
+  void add(final Ray ray, final Hit hit, final ViewedSurface viewed, final Material material) {
     final int i = count++;
-    viewed.set(ray, hit);
     rays[i] = ray;
     hits[i] = hit;
     materials[i] = material;

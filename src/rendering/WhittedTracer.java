@@ -1,18 +1,10 @@
 package rendering;
 
-import static arguments.Arguments.notNull;
-
-import java.awt.Color;
-
-import arguments.Messages;
 import lights.Incidence;
 import lights.Light;
 import materials.Material;
 import materials.SpecularRays;
 import materials.SurfaceInteraction;
-import models.Group3D;
-import models.Object3D;
-import primitives.Point3D;
 import radiometry.RadianceRGB;
 import tracer.Hit;
 import tracer.Ray;
@@ -31,11 +23,10 @@ final class WhittedTracer {
   /** Part of the way to a light in which an object blocks it: what the light itself lies on does not. */
   static final double BEFORE_LIGHT = 1 - 1e-9;
 
-  private final Group3D scene;
+  private final TracerCalls calls;
   private final Light[] lights;
   private final int recursionDepth;
   private final RadianceRGB background;
-  private final MatteMaterials matte = new MatteMaterials();
   private final Incidence incidence = new Incidence();
   private final SurfaceInteraction interaction = new SurfaceInteraction();
   private final SpecularRays specular = new SpecularRays();
@@ -43,6 +34,8 @@ final class WhittedTracer {
 
   private final RayStack waiting = new RayStack();
 
+  /** Where surfaces and background are kept to be lit later, instead of at once; null if they are not. */
+  private DeferredLight deferred;
   /** Reports to the observer; null without one, so that unobserved rays allocate nothing for it. */
   private TraceReport report;
   /** The ray at hand, its depth and its weight. */
@@ -54,11 +47,15 @@ final class WhittedTracer {
   private double r;
   private double g;
   private double b;
+  /** What the lights bring to the surface at hand. */
+  private double sumR;
+  private double sumG;
+  private double sumB;
   private long lit;
   private long shadowed;
 
   WhittedTracer(final Illumination illumination) {
-    this.scene = illumination.scene();
+    this.calls = new TracerCalls(illumination.scene());
     this.lights = illumination.lights().toArray(new Light[0]);
     this.recursionDepth = illumination.recursionDepth();
     this.background = illumination.backgroundRadiance();
@@ -89,25 +86,26 @@ final class WhittedTracer {
   /** Finds the radiance of a ray of depth 0 from its closest hit. */
   void trace(final Ray first, final Hit hit, final LightObserver observer) {
     report = observer == LightObserver.NONE ? null : new TraceReport(observer, incidence, interaction, specular);
-    begin(first, 0, 0, 0);
+    deferred = null;
+    begin(first);
     follow(hit);
     followWaiting();
   }
 
-  /** Finds the radiance of a ray of depth 0 from its closest hit and what the lights bring there. */
-  void traceSpecular(final Ray first, final Hit hit, final Material material, final double lr, final double lg,
-      final double lb) {
+  /** Follows the reflected and refracted rays from the closest hit of a ray of depth 0, and keeps what they see. */
+  void traceSpecular(final Ray first, final Hit hit, final Material material, final DeferredLight seen) {
     report = null;
-    begin(first, lr, lg, lb);
+    deferred = seen;
+    begin(first);
     view(hit);
     makeRays(material);
     followWaiting();
   }
 
-  private void begin(final Ray first, final double lr, final double lg, final double lb) {
-    r = lr;
-    g = lg;
-    b = lb;
+  private void begin(final Ray first) {
+    r = 0;
+    g = 0;
+    b = 0;
     lit = 0;
     shadowed = 0;
     waiting.clear();
@@ -118,13 +116,15 @@ final class WhittedTracer {
     while (!waiting.isEmpty()) {
       final Ray next = waiting.pop();
       take(next, waiting.depth(), waiting.weight(0), waiting.weight(1), waiting.weight(2));
-      follow(closestHit());
+      follow(calls.closestHit(ray));
     }
   }
 
   private void follow(final Hit hit) {
     if (hit.hits()) {
       shade(hit);
+    } else if (deferred != null) {
+      deferred.addBackground(weightR, weightG, weightB);
     } else {
       final double br = weightR * background.getR(), bg = weightG * background.getG(), bb = weightB * background.getB();
       if (report != null) {
@@ -148,14 +148,6 @@ final class WhittedTracer {
     b += db;
   }
 
-  private Hit closestHit() {
-    try {
-      return scene.intersectionWith(ray);
-    } catch (RuntimeException | StackOverflowError failure) {
-      throw TracingFailure.ofScene(ray, failure);
-    }
-  }
-
   private void view(final Hit hit) {
     surface.set(ray, hit);
     interaction.setView(surface.normalX(), surface.normalY(), surface.normalZ(),
@@ -164,61 +156,40 @@ final class WhittedTracer {
 
   /** Adds what the lights bring to a hit of the ray at hand, and makes the rays that leave it. */
   private void shade(final Hit hit) {
-    final Material material = material(ray, hit);
+    final Material material = calls.material(ray, hit);
     view(hit);
     if (report != null) {
       report.surface(new LightObserver.Surface(ray, hit, depth, new RadianceRGB(weightR, weightG, weightB),
           material, surface.normal(), surface.isSeenFromOutside()));
     }
-    if (material.scatters() || report != null) {
-      for (int i = 0; i < lights.length; i++) {
-        if (illuminate(lights[i], hit)) {
-          addLight(i, material);
-        } else if (report != null) {
-          report.dark(lights[i], i, LightObserver.Outcome.OUTSIDE_FIELD);
-        }
-      }
+    if (deferred != null && material.scatters()) {
+      deferred.add(ray, hit, surface, material, weightR, weightG, weightB);
+    } else if (material.scatters() || report != null) {
+      addLights(hit, material);
     }
     makeRays(material);
   }
 
+  /** Adds the sum of what all lights bring, times the weight. */
+  private void addLights(final Hit hit, final Material material) {
+    sumR = 0;
+    sumG = 0;
+    sumB = 0;
+    for (int i = 0; i < lights.length; i++) {
+      if (calls.illuminate(lights[i], ray, hit, incidence)) {
+        addLight(i, material);
+      } else if (report != null) {
+        report.dark(lights[i], i, LightObserver.Outcome.OUTSIDE_FIELD);
+      }
+    }
+    add(weightR * sumR, weightG * sumG, weightB * sumB);
+  }
+
   private void makeRays(final Material material) {
-    if ((depth < recursionDepth || report != null) && isSpecular(material)) {
+    if ((depth < recursionDepth || report != null) && calls.isSpecular(material, ray,
+        interaction.cosineOut(), surface.isSeenFromOutside(), specular)) {
       await(specular.refractedR(), specular.refractedG(), specular.refractedB(), true);
       await(specular.reflectedR(), specular.reflectedG(), specular.reflectedB(), false);
-    }
-  }
-
-  /** The material of a hit's object; if it has none, it is matte, of its colour there. */
-  Material material(final Ray itsRay, final Hit hit) {
-    final Object3D object = hit.getObject();
-    final Material material = object.getMaterial();
-    if (material != null) {
-      return material;
-    }
-    try {
-      final Color color = object.getColorAt(hit);
-      return matte.of(notNull("color", color));
-    } catch (RuntimeException | StackOverflowError failure) {
-      throw TracingFailure.of(object, "getColorAt", itsRay, failure);
-    }
-  }
-
-  private boolean illuminate(final Light light, final Hit hit) {
-    final double x = hit.pointX(), y = hit.pointY(), z = hit.pointZ();
-    try {
-      return light.illuminate(x, y, z, incidence);
-    } catch (RuntimeException | StackOverflowError failure) {
-      final boolean isNull = failure instanceof IllegalStateException && isPositionAtFault(light, x, y, z);
-      throw TracingFailure.of(light, isNull ? "getPosition" : "getIrradianceAt", ray, failure);
-    }
-  }
-
-  private static boolean isPositionAtFault(final Light light, final double x, final double y, final double z) {
-    try {
-      return light.getIrradianceAt(new Point3D((float) x, (float) y, (float) z)) != null;
-    } catch (RuntimeException | StackOverflowError irradianceFails) {
-      return false;
     }
   }
 
@@ -240,14 +211,14 @@ final class WhittedTracer {
     }
     final double k = Math.abs(ci);
     interaction.setIrradiance(k * incidence.irradianceR(), k * incidence.irradianceG(), k * incidence.irradianceB());
-    scatter(material);
-    final double lr = weightR * interaction.radianceR(), lg = weightG * interaction.radianceG(),
-        lb = weightB * interaction.radianceB();
+    calls.scatter(material, ray, interaction);
+    final double lr = interaction.radianceR(), lg = interaction.radianceG(), lb = interaction.radianceB();
     if (lr > 0 || lg > 0 || lb > 0) {
       final Ray shadowRay = surface.towards(before, wx, wy, wz, incidence.distance());
-      final boolean blocked = isBlocked(shadowRay, surface.distance() * BEFORE_LIGHT);
+      final boolean blocked = calls.isBlocked(shadowRay, surface.distance() * BEFORE_LIGHT);
       if (report != null) {
-        report.light(lights[number], number, blocked, new RadianceRGB(lr, lg, lb), shadowRay, surface.distance());
+        report.light(lights[number], number, blocked, new RadianceRGB(weightR * lr, weightG * lg, weightB * lb), shadowRay,
+            surface.distance());
       }
       arrive(number, blocked, lr, lg, lb);
     } else if (report != null) {
@@ -262,40 +233,9 @@ final class WhittedTracer {
       shadowed |= (blocked ? 1L : 0L) << number;
     }
     if (!blocked) {
-      add(lr, lg, lb);
-    }
-  }
-
-  private void scatter(final Material material) {
-    try {
-      material.scatter(interaction);
-      check(interaction);
-    } catch (RuntimeException | StackOverflowError failure) {
-      throw TracingFailure.of(material, "reflect", ray, failure);
-    }
-  }
-
-  /** Refuses a radiance that no light can have. */
-  static void check(final SurfaceInteraction interaction) {
-    final double sr = interaction.radianceR(), sg = interaction.radianceG(), sb = interaction.radianceB();
-    if (!(sr >= 0 && sg >= 0 && sb >= 0 && sr + sg + sb < Double.POSITIVE_INFINITY)) {
-      throw new IllegalStateException(Messages.text("rendering.wrongRadiance", sr, sg, sb));
-    }
-  }
-
-  private boolean isBlocked(final Ray shadowRay, final double distance) {
-    try {
-      return scene.intersectAny(shadowRay, distance);
-    } catch (RuntimeException | StackOverflowError failure) {
-      throw TracingFailure.ofScene(shadowRay, failure);
-    }
-  }
-
-  private boolean isSpecular(final Material material) {
-    try {
-      return material.specular(Math.max(0, Math.min(1, interaction.cosineOut())), surface.isSeenFromOutside(), specular);
-    } catch (RuntimeException | StackOverflowError failure) {
-      throw TracingFailure.of(material, "mirror", ray, failure);
+      sumR += lr;
+      sumG += lg;
+      sumB += lb;
     }
   }
 
