@@ -24,11 +24,7 @@ import view.Camera;
  */
 final class CameraControl {
 
-  /** Duration of a coarse picture, in seconds, that leaves time to show 25 of them a second. */
-  private static final double PREVIEW_SECONDS = 0.03;
-
   private static final int REST_MS = 250;
-  private static final int MIN_PIXELS = 1500;
   private static final double RADIANS_PER_UNIT = Math.toRadians(0.4);
 
   private final RenderWindow window;
@@ -38,7 +34,7 @@ final class CameraControl {
   private final Deque<CameraText> undo = new ArrayDeque<>();
   private Path undoFile;
   private CameraPose pose;
-  private volatile double pixels = 30_000;
+  private final PreviewSize size = new PreviewSize();
   private BufferedImage preview;
 
   CameraControl(final RenderWindow window) {
@@ -100,12 +96,12 @@ final class CameraControl {
     final int W = job.image().getWidth(), H = job.image().getHeight();
     window.session().cancel();
     previews.execute(() -> {
-      final double k = Math.min(1, Math.sqrt(pixels / ((double) W * H)));
+      final double k = Math.min(1, Math.sqrt(size.pixels() / ((double) W * H)));
       final int w = (int) Math.max(1, Math.round(k * W)), h = (int) Math.max(1, Math.round(k * H));
       final RenderJob coarse = new RenderJob(scene, job.view(), w, h, Runtime.getRuntime().availableProcessors());
       try {
         coarse.run(Progress.NONE);
-        pixels = Math.max(MIN_PIXELS, w * (double) h * Math.max(0.3, Math.min(1.6, PREVIEW_SECONDS / coarse.seconds())));
+        size.add(w * (double) h, coarse.seconds());
         SwingUtilities.invokeLater(() -> setPreview(coarse.image()));
       } catch (final RuntimeException | StackOverflowError failure) {
         System.getLogger("upnatray").log(System.Logger.Level.DEBUG, failure);
