@@ -71,6 +71,11 @@ final class MeshTriangle extends Triangle {
   }
 
   @Override
+  Texture texture() {
+    return texture;
+  }
+
+  @Override
   boolean isTextured() {
     return texture != null;
   }

@@ -50,7 +50,7 @@ class InspectionTreeTest {
   private static TriangularMesh mesh() {
     final Map<Integer, Point3D> vertices = Map.of(1, new Point3D(-1, -1, 0), 2, new Point3D(1, -1, 0), 3,
         new Point3D(0, 1, 0));
-    final Map<Integer, TexCoord2f> uv = Map.of(1, new TexCoord2f(0, 0), 2, new TexCoord2f(1, 0), 3, new TexCoord2f(0.5f, 1));
+    final Map<Integer, TexCoord2f> uv = Map.of(1, new TexCoord2f(0, 0), 2, new TexCoord2f(1, 0), 3, new TexCoord2f(0.7f, 1));
     return new TriangularMesh(vertices, Map.of(), uv, List.of("1/1 2/2 3/3"), texture());
   }
 
