@@ -71,7 +71,8 @@ class LauncherTest {
   @CsvSource({"small.xml, false", "large.xml, true", "small.xml large.xml, true", "small.xml --width 2999, false",
     "small.xml --width 3000, true", "small.xml --height=12345, true", "small.xml --samples 4, false",
     "small.xml --samples 8, true", "small.xml --samples=16, true", "small.xml --samples=1, false", "--window, true",
-    "small.xml --rows 1-20, false", "--help, false", "'', false"})
+    "small.xml --turntable=36, true", "small.xml --frames 9, true", "small.xml --rows 1-20, false",
+    "--help, false", "'', false"})
   void onlyLongRunsGetTheOptimisingCompiler(final String arguments, final boolean isLong) throws Exception {
     final String[] words = arguments.isEmpty() ? new String[0] : arguments.split(" ");
     assertEquals(isLong, !started(false, words).contains(C1_ONLY));
