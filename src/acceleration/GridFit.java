@@ -10,7 +10,7 @@ final class GridFit {
   /** Least sine of the angle between the directions in which columns and rows grow. */
   private static final double DISTINCT = 1e-3;
 
-  /** Step between pixels where there is one column or row only, so that any will do. */
+  /** Step between pixels where there is only one column or row, so that any value serves. */
   private static final double ANY_STEP = 1e-3;
 
   private RayTile tile;
@@ -38,7 +38,7 @@ final class GridFit {
     return findAxis() && findGrid() && findMargins();
   }
 
-  /** Finds what the rays share, and W. */
+  /** Finds what the rays have in common, and W. */
   private boolean findAxis() {
     first = 0;
     while (first < end && !tile.isPresent(first)) {
@@ -141,7 +141,7 @@ final class GridFit {
     return tile.directionX(i) * wx + tile.directionY(i) * wy + tile.directionZ(i) * wz;
   }
 
-  /** Finds a₀ and b₀ in the middle of what the rays ask for, and the margins about them. */
+  /** Finds a₀ and b₀ in the middle of the values that the rays need, and the margins about them. */
   private boolean findMargins() {
     final boolean pyramid = grid.pyramid;
     double leastA = Double.POSITIVE_INFINITY, mostA = Double.NEGATIVE_INFINITY;

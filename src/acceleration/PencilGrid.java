@@ -29,7 +29,7 @@ final class PencilGrid {
   /** Bound of the rounding of a component to float, with what double needs added. */
   private static final double ROUNDING = 0x1p-24 + 0x1p-44;
 
-  /** Greatest margin, in pixels, that is of any use; what exceeds it is left to measurement. */
+  /** Greatest margin, in pixels, that is of any use; larger ones are left to measurement. */
   private static final double USEFUL = 0.5;
 
   /** Bound of each component of e. */
@@ -124,7 +124,7 @@ final class PencilGrid {
     g.rowMargin = depth < 1 ? (row + lastRow * depth) / (1 - depth) : Double.NaN;
   }
 
-  /** How far a form can be, over the tile, from what it ought to be at S, T and G. */
+  /** How far a form can be, over the tile, from its exact value at S, T and G. */
   private double stray(final double x, final double y, final double z, final int atS, final int atT, final int atG) {
     return lastColumn * Math.abs(x * sx + y * sy + z * sz - atS) + lastRow * Math.abs(x * tx + y * ty + z * tz - atT)
         + Math.abs(x * gx + y * gy + z * gz - atG);

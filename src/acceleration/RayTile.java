@@ -5,23 +5,22 @@ import java.util.Arrays;
 import primitives.BoundingBox;
 
 /**
- * The rays of a rectangle of pixels, at most {@link #SIZE} × {@link #SIZE} of them, as plain numbers: what a ray
- * generator fills and objects are asked about at once. A pixel without a ray (a corner of a fish-eye picture) has
+ * The rays of a rectangle of pixels, at most {@link #SIZE} × {@link #SIZE} of them, as plain numbers: a ray generator
+ * fills it, and objects are tested against all of it at once. A pixel without a ray (a corner of a fish-eye picture) has
  * NaN for direction, which no comparison accepts.
  *
  * <p>Ray i belongs to column {@code i % SIZE} and row {@code i / SIZE} of the tile. Directions are kept twice: as the
- * floats of a {@code tracer.Ray}, and brought to unit length in double, which is what computations use.
+ * floats of a {@code tracer.Ray}, and normalised in double for computations.
  *
- * <p>A tile also has a <em>window</em>, the columns and rows that may hit the object at hand ({@link #narrowTo}):
- * whoever asks an object ray by ray walks the window only. Not safe for use by several threads: each has
- * its own.
+ * <p>A tile also has a <em>window</em>, the columns and rows that may hit the current object ({@link #narrowTo}): code
+ * that tests an object ray by ray loops over the window only. Not safe for use by several threads: each has its own.
  */
 public final class RayTile extends TileRays {
 
   /** Greatest number of columns and of rows. */
   public static final int SIZE = 32;
 
-  /** What the rays were put in as, and {@link #close()} has still to do for them. */
+  /** How the rays were put in, and so what {@link #close()} has to do. */
   private enum Kind { NONE, RAW, UNIT, EXACT, PENCIL }
 
   private final double[] vx = new double[SIZE * SIZE];
@@ -49,8 +48,8 @@ public final class RayTile extends TileRays {
   }
 
   /**
-   * Forgets all rays and sets the size. Whoever fills a tile calls this first, then one of the three methods that put a
-   * ray in, the same for all pixels, or {@link #fill}, and {@link #close()} last.
+   * Removes all rays and sets the size. To fill a tile, call this first, then one of the three methods that put a ray in,
+   * the same for all pixels, or {@link #fill}, and {@link #close()} last.
    *
    * @param width number of columns, 1 … {@link #SIZE}
    * @param height number of rows, 1 … {@link #SIZE}
@@ -71,7 +70,7 @@ public final class RayTile extends TileRays {
   }
 
   /**
-   * Puts a ray into a pixel, of any length and digits: it gets rounded to floats as {@code tracer.Ray.towards} rounds it.
+   * Puts a ray into a pixel, with a direction of any length: it is rounded to floats as {@code tracer.Ray.towards} does.
    *
    * @param i number of the pixel, column + SIZE · row
    * @param x first coordinate of the start
@@ -89,7 +88,7 @@ public final class RayTile extends TileRays {
   }
 
   /**
-   * Puts a ray into a pixel whose direction is a unit vector of floats already.
+   * Puts a ray into a pixel, whose direction is a unit vector of floats already.
    *
    * @param i number of the pixel, column + SIZE · row
    * @param x first coordinate of the start
@@ -107,7 +106,7 @@ public final class RayTile extends TileRays {
   }
 
   /**
-   * Puts a ray into a pixel whose numbers keep all their digits, as {@code tracer.Ray.exactly} does.
+   * Puts a ray into a pixel without rounding its numbers, as {@code tracer.Ray.exactly} does.
    *
    * @param i number of the pixel, column + SIZE · row
    * @param x first coordinate of the start
@@ -182,7 +181,7 @@ public final class RayTile extends TileRays {
   }
 
   /**
-   * Takes a ray out of a tile that is closed already, as if the pixel had none. The frustum still encloses it.
+   * Removes a ray from a closed tile, as if the pixel had none. The frustum still encloses it.
    *
    * @param i number of the pixel, column + SIZE · row
    */
@@ -192,13 +191,13 @@ public final class RayTile extends TileRays {
     complete = false;
   }
 
-  /** Makes the whole tile the window. */
+  /** Sets the window to the whole tile. */
   public void reset() {
     frustum().window().all();
   }
 
   /**
-   * Makes the pixels whose rays may cross a box the window: no ray outside it does.
+   * Sets the window to the pixels whose rays may hit a box: no ray outside it does.
    *
    * @param box the box, perhaps unbounded
    * @return whether any pixel is left
@@ -212,7 +211,7 @@ public final class RayTile extends TileRays {
   }
 
   /**
-   * The columns and rows that may hit the object at hand.
+   * The columns and rows that may hit the current object.
    *
    * @return the window, which each projection of the frustum changes
    */
@@ -239,7 +238,7 @@ public final class RayTile extends TileRays {
   }
 
   /**
-   * First component of the direction of a ray, as its floats have it.
+   * First component of the direction of a ray, as a float.
    *
    * @param i number of the pixel, column + SIZE · row
    * @return the number
@@ -249,7 +248,7 @@ public final class RayTile extends TileRays {
   }
 
   /**
-   * Second component of the direction of a ray, as its floats have it.
+   * Second component of the direction of a ray, as a float.
    *
    * @param i number of the pixel, column + SIZE · row
    * @return the number
@@ -259,7 +258,7 @@ public final class RayTile extends TileRays {
   }
 
   /**
-   * Third component of the direction of a ray, as its floats have it.
+   * Third component of the direction of a ray, as a float.
    *
    * @param i number of the pixel, column + SIZE · row
    * @return the number

@@ -5,15 +5,15 @@ import primitives.BoundingBox;
 /**
  * The pyramid or prism that encloses the rays of a tile, and the projection of space onto the tile's pixels.
  *
- * <p>Found from the rays alone, whatever camera made them. If they share a start, their slopes about the mean direction are
- * nearly a regular grid (a pyramid); if they share a direction, their starts are (a prism). A grid is fitted, and how far
- * the rays stray from it, in pixels, is kept as a margin: each ray is projected to within the margin of its own column and
- * row. So all results are conservative: what a ray of the tile can hit is never said to be outside. Rays that share neither
- * start nor direction are not fitted.
+ * <p>It is computed from the rays alone, whatever camera made them. If they share a start, their slopes about the mean
+ * direction are nearly a regular grid (a pyramid); if they share a direction, their starts are (a prism). A grid is
+ * fitted, and how far the rays stray from it, in pixels, is kept as a margin: each ray is projected to within the margin
+ * of its own column and row. So all results are conservative: nothing that a ray of the tile can hit is reported as
+ * outside. Rays that share neither start nor direction are not fitted.
  *
- * <p>The projection is homogeneous: with V = P − O, column = (C·V + c) / (D·V + d) and the same for the row, where
- * D·V + d is the depth in a pyramid and 1 in a prism. Enclosing rays by planes to trace them together is the idea of
- * Reshetov, Soupikov and Hurley, "Multi-Level Ray Tracing Algorithm", SIGGRAPH 2005.
+ * <p>The projection is homogeneous: with V = P − O, column = (C·V + c) / (D·V + d) and the same for the row, where D·V +
+ * d is the depth in a pyramid and 1 in a prism. Enclosing rays by planes to trace them together: Reshetov, Soupikov and
+ * Hurley, "Multi-Level Ray Tracing Algorithm", SIGGRAPH 2005.
  */
 public final class TileFrustum {
 
@@ -56,7 +56,7 @@ public final class TileFrustum {
   TileFrustum() {
   }
 
-  /** Encloses the rays of a tile, if they allow it. */
+  /** Encloses the rays of a tile, if possible. */
   void fit(final RayTile tile) {
     final boolean possible = measured.fit(tile, grid);
     if (possible && !grid.pyramid) {
@@ -104,7 +104,7 @@ public final class TileFrustum {
   }
 
   /**
-   * Whether the rays are enclosed; if not, nothing else may be asked.
+   * Whether the rays are enclosed; if not, no other method may be called.
    *
    * @return false if the rays have nothing in common, are spread too far, or are none
    */
@@ -132,7 +132,7 @@ public final class TileFrustum {
   }
 
   /**
-   * Finds the pixels whose rays may cross a box.
+   * Finds the pixels whose rays may hit a box.
    *
    * @param box a finite box
    * @return whether there are any; if so, the {@link #window} says which
@@ -165,7 +165,7 @@ public final class TileFrustum {
   }
 
   /**
-   * Finds the pixels whose rays may meet a triangle, whose vertices are given less the origin.
+   * Finds the pixels whose rays may hit a triangle, whose vertices are given relative to the origin.
    *
    * @param ax first coordinate of the first vertex
    * @param ay second coordinate of the first vertex

@@ -4,8 +4,9 @@ import primitives.Vector3D;
 
 /**
  * The normals that shade the corners of a mesh, interpolated between them (Phong, "Illumination for computer generated
- * pictures", CACM 18(6), 1975). They are those of the front, which the winding of the triangle decides: where the three of a
- * triangle together point behind it, all three are reversed. A corner without a normal has that of its triangle.
+ * pictures", CACM 18(6), 1975). They are those of the front, which the winding of the triangle decides: where the three
+ * normals of a triangle together point behind it, all three are reversed. A corner without a normal has that of its
+ * triangle.
  */
 final class CornerNormals {
 

@@ -8,7 +8,7 @@ final class CornerTexCoords {
   private final double[] values;
   private final int[] corners;
 
-  /** Those of the triangles of arrays that were rounded from data. */
+  /** The texture coordinates of the triangles of arrays that were rounded from data. */
   CornerTexCoords(final MeshData data, final MeshArrays arrays) {
     this.values = data.texCoords().values();
     this.corners = new int[3 * arrays.size()];

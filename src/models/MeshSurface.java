@@ -6,13 +6,16 @@ import primitives.Vector3D;
 import tracer.Hit;
 import tracer.Ray;
 
-/** What meshes of different appearance share: the tree of the triangles, and what shades and places their corners. */
+/**
+ * The geometry that meshes of different appearance share: the tree of the triangles, and their normals and texture
+ * coordinates.
+ */
 final class MeshSurface {
 
   private final MeshTree tree;
-  /** What shades the corners; null for a flat mesh. */
+  /** The shading normals; null for a flat mesh. */
   private final CornerNormals normals;
-  /** Null for a mesh without texture coordinates. */
+  /** The texture coordinates; null if there are none. */
   private final CornerTexCoords texCoords;
 
   /** A flat surface. */

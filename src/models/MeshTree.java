@@ -8,22 +8,22 @@ import primitives.Point3D;
 import tracer.Ray;
 
 /**
- * The triangles of a mesh in the order of a tree of their boxes, so that those close together in space lie close together in
- * memory. A triangle is known by its place in this order, and by the number of its facet, which is what others see.
+ * The triangles of a mesh in the order of a tree of their boxes, so that those close together in space lie close together
+ * in memory. A triangle is identified by its place in this order, and to others by the number of its facet.
  */
 final class MeshTree {
 
-  /** Triangles to a leaf: fewer cost memory and nodes to fetch, more cost tests. */
+  /** Triangles per leaf: fewer cost memory and node fetches, more cost tests. */
   private static final int LEAF = Bvh.MOST_IN_LEAF;
 
-  /** In double, as they are computed with: to convert a float makes a triangle wait for the one before. */
+  /** In double, as used in computations: converting floats would make each triangle depend on the one before. */
   private final double[] coordinates;
   private final int[] corners;
   private final int[] facets;
   private final Bvh tree;
   private final BoundingBox box;
 
-  /** The place of each facet; found when it is first needed. */
+  /** The place of each facet; computed when first needed. */
   private volatile int[] places;
 
   MeshTree(final MeshArrays arrays) {

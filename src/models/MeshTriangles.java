@@ -6,8 +6,8 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 
 /**
- * The triangles of a mesh as objects, in the order of its facets. Each is made when it is first asked for, and is the same
- * object from then on, whatever thread asks.
+ * The triangles of a mesh as objects, in the order of its facets. Each is created when first requested, and is the same
+ * object from then on, for all threads.
  */
 final class MeshTriangles extends AbstractList<Triangle> {
 

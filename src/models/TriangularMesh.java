@@ -23,9 +23,9 @@ import tracer.Ray;
  *
  * <p><img src="doc-files/TriangularMesh.png" width="320" height="240" alt="A mesh of eight triangles">
  *
- * <p>A mesh is kept as arrays, three floats for each vertex and three vertex numbers for each triangle, with a tree of the
- * triangles' boxes ({@link acceleration.Bvh}); a {@link Triangle} object is made when one is asked for or hit. A closed
- * mesh has no cracks: no ray passes between two triangles that share an edge or a vertex. Each triangle is hit as
+ * <p>A mesh is kept as arrays, three floats for each vertex and three vertex numbers for each triangle, with a tree of
+ * the triangles' boxes ({@link acceleration.Bvh}); a {@link Triangle} object is created when it is requested or hit. A
+ * closed mesh has no cracks: no ray passes between two triangles that share an edge or a vertex. Each triangle is hit as
  * {@link Triangle} describes.
  *
  * <p>Constructors take a facet as a string of three corners, counter-clockwise, separated by blanks or commas. A corner is
@@ -162,7 +162,7 @@ public class TriangularMesh extends Object3D {
   }
 
   /**
-   * A mesh of arrays, which are copied: for whoever has many triangles, such as a reader of files.
+   * A mesh of arrays, which are copied: for sources of many triangles, such as readers of files.
    *
    * @param coordinates x, y and z of each vertex
    * @param corners numbers of the three vertices of each triangle, from 0, counter-clockwise
@@ -179,7 +179,7 @@ public class TriangularMesh extends Object3D {
   /**
    * A mesh of arrays in double precision, perhaps with normals that shade it and with texture coordinates.
    *
-   * @param data the arrays; what of them rounding to floats leaves without area is left out
+   * @param data the arrays; triangles that have no area in floats are left out
    * @param appearance what all triangles look like; those with a corner outside of a texture have its mean colour
    * @return the mesh
    * @throws IllegalArgumentException if an argument is null, if the length of an array is no multiple of 3, if a coordinate
@@ -206,7 +206,7 @@ public class TriangularMesh extends Object3D {
   }
 
   /**
-   * The same mesh with another appearance: both share their geometry.
+   * The same mesh with another appearance, sharing the geometry.
    *
    * @param other what all triangles look like
    * @return the mesh
