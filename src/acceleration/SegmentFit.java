@@ -3,7 +3,7 @@ package acceleration;
 /** Finds the pyramid or prism of the segments of a {@link SegmentTile}, and the position of each in its raster. */
 final class SegmentFit {
 
-  /** Last column and row of the raster: less than the number of cells, so that rounding leads to none behind the last. */
+  /** Last column and row of the raster: less than the number of cells, so that rounding never exceeds the last cell. */
   static final double LAST = SegmentSets.CELLS - 1;
 
   /** Least extent of the raster, as a slope or relative to the starts' distances. */
@@ -92,7 +92,7 @@ final class SegmentFit {
     return possible && takePyramid();
   }
 
-  /** The axis need not be the middle, so a few directions give it. */
+  /** The axis need not be exactly the middle, so a few directions are enough. */
   private void takeMeanDirection() {
     double x = 0, y = 0, z = 0;
     for (int k = 0; k < SAMPLES; k++) {
@@ -116,7 +116,10 @@ final class SegmentFit {
     vz = x * uy - y * ux;
   }
 
-  /** Finds the slopes of the segments from the light on and their depths; the arrays are parameters for the compiler. */
+  /**
+   * Finds the slopes of the segments from the light on and their depths; the arrays are parameters so that the compiler
+   * vectorises the loop.
+   */
   private void project(final double[] startX, final double[] startY, final double[] startZ, final double[] directionX,
       final double[] directionY, final double[] directionZ, final double[] u, final double[] v, final double[] depth) {
     final double ox = grid.originX, oy = grid.originY, oz = grid.originZ;

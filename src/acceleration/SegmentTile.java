@@ -21,7 +21,7 @@ import primitives.BoundingBox;
  */
 public final class SegmentTile extends TileRays {
 
-  /** Greatest number of columns and of rows of pixels whose segments have room. */
+  /** Greatest number of columns and of rows of pixels. */
   public static final int SIZE = 16;
 
   /** Greatest number of segments. */
@@ -30,7 +30,7 @@ public final class SegmentTile extends TileRays {
   /** Number of longs in a set of segments, a bit for each. */
   public static final int WORDS = MOST / Long.SIZE;
 
-  /** Bound of the rounding of a depth, relative to the numbers that it is computed of. */
+  /** Bound of the rounding of a depth, relative to the numbers from which it is computed. */
   private static final double ROUNDING = 0x1p-45;
 
   final double[] length = new double[MOST];
@@ -62,7 +62,7 @@ public final class SegmentTile extends TileRays {
   private double levelsToDepth;
   private int deepest;
 
-  /** What is added to depths, so that rounding and displacement hide nothing. */
+  /** Added to depths, so that rounding and displacement hide nothing. */
   private double shift;
 
   /** An empty tile. */
@@ -96,7 +96,7 @@ public final class SegmentTile extends TileRays {
   }
 
   /**
-   * Encloses a range of segments, which alone are looked at from now on.
+   * Encloses a range of segments, to which all further queries are restricted.
    *
    * @param from number of the first
    * @param to number after the last
@@ -199,9 +199,9 @@ public final class SegmentTile extends TileRays {
   }
 
   /**
-   * Finds the segments that are not blocked and may lie where the frustum's last projection was.
+   * Finds the segments that are not blocked and may cross the frustum's last projection.
    *
-   * @param error bound of what rounding did to its depth
+   * @param error bound of the rounding error of its depth
    * @return whether there may be any, which {@link #candidates} says
    */
   public boolean select(final double error) {
@@ -235,7 +235,7 @@ public final class SegmentTile extends TileRays {
   }
 
   /**
-   * The segments that were found last, as bits.
+   * The segments found last, as bits.
    *
    * @param word which 64 of them
    * @return bit k for the segment 64 · word + k

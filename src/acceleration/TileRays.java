@@ -14,7 +14,7 @@ public abstract class TileRays {
   final double[] directionZ;
   private final TileFrustum frustum = new TileFrustum();
 
-  /** Room for so many rays. */
+  /** Storage for a number of rays. */
   TileRays(final int most) {
     startX = new double[most];
     startY = new double[most];

@@ -36,7 +36,7 @@ final class TileSides {
   private double greatest;
   private double extent;
 
-  /** Takes the sides of a grid of so many columns and rows, whose rays stray by no more than the two margins. */
+  /** Sets the sides to those of a grid of columns and rows, whose rays stray by no more than the two margins. */
   void enclose(final TileGrid g, final int columns, final int rows, final double columnMargin, final double rowMargin) {
     prepared = null;
     originX = g.originX;
@@ -60,7 +60,7 @@ final class TileSides {
     set(above, g, lastR, -g.rowX, -g.rowY, -g.rowZ, -g.rowAt);
   }
 
-  /** The side (x, y, z, at) + k D, moved out so that lines which pass the origin by at the displacement stay inside too. */
+  /** The side (x, y, z, at) + k D, moved outwards so that lines that miss the origin by the displacement stay inside too. */
   private static void set(final SidePlane side, final TileGrid g, final double k,
       final double x, final double y, final double z, final double at) {
     final double nx = x + k * g.depthX, ny = y + k * g.depthY, nz = z + k * g.depthZ;

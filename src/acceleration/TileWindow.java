@@ -26,7 +26,7 @@ public final class TileWindow {
   TileWindow() {
   }
 
-  /** Takes a tile of so many columns and rows, all of it. */
+  /** The whole of a tile of some columns and rows. */
   void open(final int itsColumns, final int itsRows, final boolean itsRaysLieBetween) {
     columns = itsColumns;
     rows = itsRows;

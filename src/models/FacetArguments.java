@@ -12,8 +12,8 @@ import javax.vecmath.TexCoord2f;
 import primitives.Vector3D;
 
 /**
- * The arguments by which a constructor of {@link TriangularMesh} makes a mesh of one triangle of another mesh, which is hit
- * and shaded as in that mesh, but has no texture.
+ * The arguments with which a constructor of {@link TriangularMesh} makes a mesh of one triangle of another mesh, which is
+ * intersected and shaded as in that mesh, but has no texture.
  */
 public final class FacetArguments {
 

@@ -4,8 +4,8 @@ import acceleration.Bvh;
 import acceleration.TileFrustum;
 
 /**
- * Goes through the leaves of a mesh's tree, and projects each triangle by a frustum: those that some of its rays may hit
- * are tested.
+ * Visits the leaves of the tree of a mesh, and projects each triangle by a frustum: triangles that some of its rays may
+ * hit are tested.
  */
 abstract class MeshLeaves implements Bvh.Leaves {
 
@@ -39,7 +39,7 @@ abstract class MeshLeaves implements Bvh.Leaves {
     return farthest();
   }
 
-  /** Tests the rays in the frustum's window against a triangle, whose vertices are given less the origin. */
+  /** Tests the rays in the frustum's window against a triangle, whose vertices are given relative to the origin. */
   abstract void test(int place, double ax, double ay, double az, double bx, double by, double bz,
       double cx, double cy, double cz);
 

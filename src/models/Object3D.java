@@ -253,7 +253,7 @@ public abstract class Object3D {
   void markContained() {
   }
 
-  /** Finds the rays of a tile that the object blocks, among those on which the frustum's last projection may lie. */
+  /** Finds the rays of a tile that the object blocks, among those that may cross the frustum's last projection. */
   void block(final ShadowTile tile) {
     tile.ask(this);
   }
