@@ -82,7 +82,7 @@ public final class RenderWork {
     report(Arrays.copyOfRange(clock, frames / 2, frames), Arrays.copyOfRange(busy, frames / 2, frames), load, build,
         share(image));
     try (OutputStream stream = Files.newOutputStream(out)) {
-      PngFile.write(image, stream);
+      PngEncoder.write(image, null, stream);
     }
   }
 

@@ -239,13 +239,13 @@ public final class TileHits {
   }
 
   /**
-   * The object that a ray hits: that of its {@link #hit}, which need not be made for this.
+   * The object of the group that a ray hits, as {@link Group3D#objectHitBy} returns it.
    *
-   * @param i number of the pixel; {@link #hits} must be true
-   * @return the object
+   * @param i number of the pixel
+   * @return the object, perhaps a transformation; null if the ray hits nothing
    */
   public Object3D object(final int i) {
-    return returned != null && returned[i] != null ? returned[i].getObject() : sources.painted(source[i]);
+    return sources.owner(source[i]);
   }
 
   /**

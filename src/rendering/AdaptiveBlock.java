@@ -31,7 +31,7 @@ final class AdaptiveBlock {
     this.fine = fine;
     this.samples = samples;
     this.settings = settings;
-    this.edges = new EdgeDetector(settings.shading(), centres, background);
+    this.edges = new EdgeDetector(scene, settings.shading(), centres, background);
     this.colours = settings.colours(rays, background);
   }
 
@@ -67,9 +67,9 @@ final class AdaptiveBlock {
   }
 
   private boolean isAtEdge(final int column, final int row, final int W, final int H) {
-    final int i = row * W + column, step = AdaptiveSampling.STEP;
-    return column > 0 && edges.isEdge(i, i - 1, step) || column < W - 1 && edges.isEdge(i, i + 1, step)
-        || row > 0 && edges.isEdge(i, i - W, step) || row < H - 1 && edges.isEdge(i, i + W, step);
+    final int i = row * W + column;
+    return column > 0 && edges.isEdge(i, i - 1) || column < W - 1 && edges.isEdge(i, i + 1)
+        || row > 0 && edges.isEdge(i, i - W) || row < H - 1 && edges.isEdge(i, i + W);
   }
 
   /** Gives those pixels of some rows of the block their K × K rays that need them. */

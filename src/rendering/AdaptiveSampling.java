@@ -10,10 +10,11 @@ import tracer.RayGenerator;
 
 /**
  * A picture with K × K rays for those pixels alone that an edge may cross; see {@link Supersampling}. First each pixel gets
- * one ray, through its centre. Those are refined that differ from a neighbour at the left, at the right, above or below:
- * in the object, in the lights that an object blocks (of the first 64), or by more than {@value #STEP} of 255 in red, green,
- * blue or alpha of sRGB. Four neighbours are enough: of a straight edge a x + b y = c across the pixel about the origin,
- * |c| ≤ (|a| + |b|) / 2 ≤ max(|a|, |b|), the centre of one of them lies on the other side, or on the edge.
+ * one ray, through its centre. Those are refined whose red, green, blue or alpha, in sRGB of 255, differs from that of the
+ * neighbour at the left, at the right, above or below by more than {@value #STEP}; or by more than {@value #EDGE} where they
+ * show different objects, or lie in the shadow of different lights (of the first 64). Four neighbours are enough: of a
+ * straight edge a x + b y = c across the pixel about the origin, |c| ≤ (|a| + |b|) / 2 ≤ max(|a|, |b|), the centre of one of
+ * them lies on the other side, or on the edge.
  *
  * <p>A pixel that is refined has exactly the value of {@link Supersampling}, any other exactly that of the picture with one
  * ray. (For even K the ray through the centre is none of the K × K. One of these in its place would shift all that is not
@@ -27,7 +28,10 @@ import tracer.RayGenerator;
 public final class AdaptiveSampling {
 
   /** The difference of a channel up to which neighbours count as equal, of 255. */
-  public static final int STEP = 12;
+  public static final int STEP = 64;
+
+  /** The same for neighbours of different objects, or in different shadows. */
+  public static final int EDGE = 32;
 
   private final Group3D scene;
   private final RayGenerator coarse;

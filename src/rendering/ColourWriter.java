@@ -1,5 +1,6 @@
 package rendering;
 
+import models.Object3D;
 import models.TileHits;
 import tracer.Hit;
 import tracer.Ray;
@@ -44,8 +45,13 @@ class ColourWriter implements PixelWriter {
   }
 
   /** Writes the light that ray i of a tile brings from what it hits. */
-  void paint(final int pixel, final LitTile lit, final int i) {
+  void paint(final int pixel, final TileHits hits, final int i, final LitTile lit) {
     pixels[pixel] = lit.argb(i);
+  }
+
+  /** Writes the colour of a hit with an object of the scene. */
+  void hit(final int pixel, final Ray ray, final Hit hit, final Object3D object) {
+    hit(pixel, ray, hit);
   }
 
   @Override

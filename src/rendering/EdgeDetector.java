@@ -1,5 +1,6 @@
 package rendering;
 
+import models.Group3D;
 import models.Object3D;
 import models.TileHits;
 import tracer.Hit;
@@ -11,6 +12,7 @@ import tracer.Ray;
  */
 final class EdgeDetector extends ColourWriter {
 
+  private final Group3D scene;
   private final int[] pixels;
   private final Object3D[] objects;
   private final long[] lit;
@@ -20,8 +22,9 @@ final class EdgeDetector extends ColourWriter {
   private final Illumination illumination;
 
   /** A writer into an array of sRGB with alpha, the top row first. */
-  EdgeDetector(final Shading shading, final int[] pixels, final int background) {
+  EdgeDetector(final Group3D scene, final Shading shading, final int[] pixels, final int background) {
     super(shading, pixels, background);
+    this.scene = scene;
     this.pixels = pixels;
     this.objects = new Object3D[pixels.length];
     this.illumination = shading instanceof Illumination light ? light : null;
@@ -32,6 +35,11 @@ final class EdgeDetector extends ColourWriter {
 
   @Override
   public void hit(final int pixel, final Ray ray, final Hit hit) {
+    hit(pixel, ray, hit, scene.objectHitBy(ray));
+  }
+
+  @Override
+  void hit(final int pixel, final Ray ray, final Hit hit, final Object3D object) {
     if (tracer == null) {
       super.hit(pixel, ray, hit);
     } else {
@@ -39,7 +47,7 @@ final class EdgeDetector extends ColourWriter {
       pixels[pixel] = illumination.encoded(tracer.r(), tracer.g(), tracer.b());
       keepLights(pixel, tracer.lit(), tracer.shadowed());
     }
-    objects[pixel] = hit.getObject();
+    objects[pixel] = object;
   }
 
   @Override
@@ -58,9 +66,9 @@ final class EdgeDetector extends ColourWriter {
   }
 
   @Override
-  void paint(final int pixel, final LitTile tile, final int i) {
-    super.paint(pixel, tile, i);
-    objects[pixel] = tile.hit(i).getObject();
+  void paint(final int pixel, final TileHits hits, final int i, final LitTile tile) {
+    super.paint(pixel, hits, i, tile);
+    objects[pixel] = hits.object(i);
     keepLights(pixel, tile.lit(i), tile.shadowed(i));
   }
 
@@ -71,10 +79,11 @@ final class EdgeDetector extends ColourWriter {
     }
   }
 
-  /** Whether an edge lies between two pixels: of an object, of a shadow, or of colours that differ by more than a step. */
-  boolean isEdge(final int p, final int q, final int step) {
-    return objects[p] != objects[q] || tracer != null && ((lit[p] & shadowed[q]) | (shadowed[p] & lit[q])) != 0
-        || difference(pixels[p], pixels[q]) > step;
+  /** Whether two pixels differ so much that an edge between them can be seen. */
+  boolean isEdge(final int p, final int q) {
+    final int difference = difference(pixels[p], pixels[q]);
+    return difference > AdaptiveSampling.STEP || difference > AdaptiveSampling.EDGE
+        && (objects[p] != objects[q] || tracer != null && ((lit[p] & shadowed[q]) | (shadowed[p] & lit[q])) != 0);
   }
 
   /** The difference of two colours in that channel, of alpha too, in which it is greatest. */

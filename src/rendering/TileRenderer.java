@@ -7,6 +7,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import acceleration.RayTile;
 import acceleration.SegmentTile;
 import models.Group3D;
+import models.Object3D;
 import models.TileHits;
 import tracer.Hit;
 import tracer.Ray;
@@ -130,24 +131,27 @@ public final class TileRenderer {
     } else if (lit != null && picture instanceof ColourWriter colours) {
       for (int i = first; i < first + width; i++) {
         if (lit.hits(i)) {
-          colours.paint(at + i - first, lit, i);
+          colours.paint(at + i - first, hits, i, lit);
         } else {
           colours.miss(at + i - first, Ray.NORAY);
         }
       }
     } else {
       for (int i = 0; i < width; i++) {
-        write(at + i, hits.isPresent(first + i) ? hits.ray(first + i) : Ray.NORAY, hits.hit(first + i));
+        final Ray ray = hits.isPresent(first + i) ? hits.ray(first + i) : Ray.NORAY;
+        write(at + i, ray, hits.hit(first + i), hits.object(first + i));
       }
     }
   }
 
   /** A hit that overflows float counts as a miss. */
-  private void write(final int pixel, final Ray ray, final Hit hit) {
-    if (hit.hits()) {
-      picture.hit(pixel, ray, hit);
-    } else {
+  private void write(final int pixel, final Ray ray, final Hit hit, final Object3D object) {
+    if (!hit.hits()) {
       picture.miss(pixel, ray);
+    } else if (picture instanceof ColourWriter colours) {
+      colours.hit(pixel, ray, hit, object);
+    } else {
+      picture.hit(pixel, ray, hit);
     }
   }
 }

@@ -75,6 +75,17 @@ public record SceneFile(String name, int width, int height, Color background, Li
   }
 
   /**
+   * The same scene seen by another camera.
+   *
+   * @param other the camera, with its projection
+   * @return the new scene, of the same objects
+   * @throws IllegalArgumentException if the camera is null
+   */
+  public SceneFile withCamera(final Camera other) {
+    return new SceneFile(name, width, height, background, lighting, other, objects, names, meshes);
+  }
+
+  /**
    * Whether lights and materials act.
    *
    * @return true for a scene with illumination

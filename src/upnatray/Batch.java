@@ -57,15 +57,20 @@ final class Batch {
 
   /** Reports each target that is refused. */
   private boolean mayBeWritten(final List<Path> scenes) throws UsageException {
-    final Set<Path> targets = new LinkedHashSet<>();
+    final Set<Path> targets = new LinkedHashSet<>(), ofAnimations = new HashSet<>();
     for (final Path scene : scenes) {
-      targets.add(options.target(scene));
+      targets.addAll(options.targets(scene));
+      ofAnimations.addAll(options.targets(scene));
+      ofAnimations.remove(options.target(scene));
     }
     final InputFiles inputs = inputs(new LinkedHashSet<>(scenes), targets);
     boolean good = true;
     for (final Path target : targets) {
       try {
         new PngTarget(target).check(inputs);
+        if (ofAnimations.contains(target)) {
+          checkFrame(target);
+        }
       } catch (final RefusedTargetException refused) {
         err.println(refused.getMessage());
         good = false;
@@ -74,6 +79,13 @@ final class Batch {
       }
     }
     return good;
+  }
+
+  /** A picture of an animation, whose name the user did not choose, replaces only those of animations unless asked to. */
+  private void checkFrame(final Path target) throws SaveException {
+    if (!options.turntable().map(Turntable::again).orElse(false) && FrameMark.isForeign(target)) {
+      throw new RefusedTargetException("notOfAnimation", target);
+    }
   }
 
   /**
@@ -141,23 +153,37 @@ final class Batch {
     return errors == 0;
   }
 
-  /** Renders the pass asked for; for the light, a picture of each light follows. */
+  /** Renders the pass asked for; for the light of a single picture, a picture of each light follows. */
   private void render(final Path file, final SceneFile scene, final Path target) throws SaveException, UsageException {
-    final int lights = options.view() == RenderPass.LIGHT ? scene.lights().getLights().size() : 0;
+    final boolean animated = options.turntable().isPresent();
+    if (options.view() == RenderPass.LIGHT && !scene.isLit()) {
+      err.println(Messages.text("upnatray.noLight", file));
+    }
+    final int lights = options.view() == RenderPass.LIGHT && !animated ? scene.lights().getLights().size() : 0;
     final Set<Path> inputs = new HashSet<>(scene.meshes());
     inputs.add(file);
-    for (int light = ALL; light < lights; light++) {
+    for (final Path each : options.targets(file)) {
+      PngFile.check(each, inputs);
+    }
+    for (int light = 0; light < lights; light++) {
       PngFile.check(target(target, light), inputs);
     }
-    for (int light = ALL; light < lights && !interruption.requested(); light++) {
-      final RenderJob job = job(file, scene, light);
-      boolean completed = false;
-      try (PictureProgress progress = PictureProgress.of(job.image(), file, target(target, light), interruption)) {
-        completed = job.run(progress);
-      }
-      if (completed && !interruption.requested()) {
-        save(file, job, target(target, light));
-      }
+    if (animated) {
+      new Animation(file, scene, target, options.turntable().get(), interruption)
+          .render(options.resolution(scene.width(), scene.height()), options.view(), moved -> job(file, moved, ALL), out);
+    }
+    for (int light = ALL; light < lights && !animated && !interruption.requested(); light++) {
+      render(file, job(file, scene, light), target(target, light));
+    }
+  }
+
+  private void render(final Path file, final RenderJob job, final Path target) throws SaveException {
+    boolean completed = false;
+    try (PictureProgress progress = PictureProgress.of(job.image(), file, target, interruption)) {
+      completed = job.run(progress);
+    }
+    if (completed && !interruption.requested()) {
+      save(file, job, target);
     }
   }
 
@@ -167,7 +193,7 @@ final class Batch {
   }
 
   private void save(final Path file, final RenderJob job, final Path target) throws SaveException {
-    interruption.save(job.image(), target);
+    interruption.save(target, stream -> PngEncoder.write(job.image(), null, stream));
     out.println(file + " -> " + target);
     job.scale().ifPresent(scale -> out.println(scale.isDepth()
         ? Messages.text("upnatray.depthScale", (float) scale.least(), (float) scale.greatest())

@@ -2,11 +2,9 @@ package upnatray;
 
 import java.nio.file.Path;
 
-import arguments.Messages;
-
 /**
- * Handles an interruption of the program (Ctrl-C): the rendering stops, and the finished part of its picture is saved
- * under another name. The virtual machine waits for this, however busy the other threads are.
+ * Handles an interruption of the program (Ctrl-C): the rendering stops, and its finished part is saved or reported. The
+ * virtual machine waits for this, however busy the other threads are.
  */
 final class InterruptHandler extends Thread {
 
@@ -14,7 +12,7 @@ final class InterruptHandler extends Thread {
   private static final long PATIENCE_MILLISECONDS = 500;
 
   private volatile boolean requested;
-  private PictureProgress current;
+  private Interruptible current;
 
   InterruptHandler() {
     super("interruption");
@@ -38,8 +36,8 @@ final class InterruptHandler extends Thread {
   }
 
   /** A picture is being rendered from now on. */
-  synchronized void rendering(final PictureProgress progress) {
-    current = progress;
+  synchronized void rendering(final Interruptible work) {
+    current = work;
   }
 
   /** The picture is rendered, or its rendering was stopped. */
@@ -51,33 +49,22 @@ final class InterruptHandler extends Thread {
   }
 
   /** Saves a picture; the end of the program waits for that. */
-  synchronized void save(final Image image, final Path target) throws SaveException {
-    PngFile.save(image, target);
+  synchronized void save(final Path target, final PngFile.Content picture) throws SaveException {
+    PngFile.save(target, picture);
   }
 
   @Override
   public void run() {
     requested = true;
-    final PictureProgress stopped = stopped();
+    final Interruptible stopped = stopped();
     if (stopped != null) {
-      final Path target = stopped.target();
-      final String file = target.getFileName().toString();
-      final String name = file.endsWith(".png") ? file.substring(0, file.length() - 4) : file;
-      final Path partial = target.resolveSibling(name + ".partial.png");
-      try {
-        PngFile.save(stopped.partial(), partial);
-        System.err.println(Messages.text("upnatray.partial", partial));
-      } catch (final SaveException failure) {
-        System.err.println(failure.getMessage());
-      } catch (final OutOfMemoryError full) {
-        System.err.println(Messages.text("upnatray.noPartial", partial));
-      }
+      stopped.interrupted();
     }
   }
 
   /** The rendering in progress, once it has stopped or the grace period is over; null if there was none. */
-  private synchronized PictureProgress stopped() {
-    final PictureProgress stopped = current;
+  private synchronized Interruptible stopped() {
+    final Interruptible stopped = current;
     if (stopped != null) {
       try {
         wait(PATIENCE_MILLISECONDS);

@@ -86,7 +86,8 @@ public final class Main {
     return viewer.isPresent();
   }
 
-  private static String version() {
+  /** The version of the program. */
+  static String version() {
     final String version = Main.class.getPackage().getImplementationVersion();
     return version == null ? Messages.text("upnatray.noVersion") : version;
   }

@@ -1,20 +1,12 @@
 package upnatray;
 
 import java.io.File;
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
-import java.util.Objects;
-import java.util.StringJoiner;
+import java.util.Optional;
 
-import diagnostics.LocaleCharset;
+import diagnostics.Suggestion;
 import rendering.RenderPass;
 import rendering.Supersampling;
 
@@ -24,13 +16,25 @@ import rendering.Supersampling;
  */
 final class Options {
 
+  private static final List<String> NAMES = List.of("-o", "--output", "--width", "--height", "--view", "--samples",
+      "--adaptive", "--rows", "--turntable", "--seconds", "--frames", "--again", "--threads", "--check", "--window",
+      "--no-window", "-h", "--help", "--version");
+
+  /** K of adaptive sampling if nothing is said. */
+  private static final int ADAPTIVE_SAMPLES = 4;
+
   private final List<Path> scenes = new ArrayList<>();
   private String output;
   private int width;
   private int height;
   private int threads;
-  private int samples = 1;
+  private int samples;
+  private boolean adaptive;
   private int[] rows;
+  private int pictures;
+  private double seconds;
+  private int[] frames;
+  private boolean again;
   private RenderPass view = RenderPass.COLOUR;
   private boolean window;
   private boolean noWindow;
@@ -54,7 +58,7 @@ final class Options {
     while (i < args.length) {
       final String arg = args[i];
       if (onlyFiles || !arg.startsWith("-") || arg.equals("-")) {
-        options.scenes.add(path(arg));
+        options.scenes.add(OptionValue.path(arg));
         i++;
       } else if (arg.equals("--")) {
         onlyFiles = true;
@@ -77,22 +81,30 @@ final class Options {
       }
       return 1;
     }
-    final String value = equals < 0 ? next : arg.substring(equals + 1);
+    final OptionValue value = new OptionValue(name, equals < 0 ? next : arg.substring(equals + 1));
     switch (name) {
-      case "-o", "--output" -> output = value(name, value);
-      case "--width" -> width = count(name, value);
-      case "--height" -> height = count(name, value);
-      case "--view" -> view = view(value(name, value));
-      case "--samples" -> samples = samples(name, value);
-      case "--rows" -> rows = range(name, value);
-      case "--threads" -> threads = count(name, value);
-      default -> throw new UsageException("unknownOption", arg);
+      case "-o", "--output" -> output = value.text();
+      case "--width" -> width = value.count();
+      case "--height" -> height = value.count();
+      case "--view" -> view = value.view();
+      case "--samples" -> samples = value.within(1, Supersampling.MOST);
+      case "--rows" -> rows = value.range(1);
+      case "--turntable" -> pictures = value.within(Turntable.FEWEST, Turntable.MOST);
+      case "--seconds" -> seconds = value.positive();
+      case "--frames" -> frames = value.range(0);
+      case "--threads" -> threads = value.count();
+      default -> {
+        final String question = Suggestion.question(name, NAMES);
+        throw new UsageException("unknownOption", arg, question.isEmpty() ? "" : "." + question);
+      }
     }
     return equals < 0 ? 2 : 1;
   }
 
   private boolean readFlag(final String name) {
     switch (name) {
+      case "--adaptive" -> adaptive = true;
+      case "--again" -> again = true;
       case "--check" -> check = true;
       case "-h", "--help" -> help = true;
       case "--version" -> version = true;
@@ -105,73 +117,8 @@ final class Options {
     return true;
   }
 
-  private static RenderPass view(final String name) throws UsageException {
-    final StringJoiner names = new StringJoiner(", ");
-    for (final RenderPass view : RenderPass.values()) {
-      names.add(view.option());
-    }
-    return RenderPass.named(name).orElseThrow(() -> new UsageException("unknownView", name, names));
-  }
-
-  private static String value(final String name, final String value) throws UsageException {
-    if (value == null || value.isEmpty()) {
-      throw new UsageException("valueMissing", name);
-    }
-    return value;
-  }
-
-  private static int count(final String name, final String value) throws UsageException {
-    final String text = value(name, value);
-    try {
-      final int count = Integer.parseInt(text);
-      if (count >= 1) {
-        return count;
-      }
-    } catch (final NumberFormatException noNumber) {
-      throw new UsageException("notCount", name, text);
-    }
-    throw new UsageException("notCount", name, text);
-  }
-
-  private static int samples(final String name, final String value) throws UsageException {
-    final int samples = count(name, value);
-    if (samples > Supersampling.MOST) {
-      throw new UsageException("tooManySamples", name, Supersampling.MOST, value);
-    }
-    return samples;
-  }
-
-  /** Two numbers A-B, from 1, the first at most the second. */
-  private static int[] range(final String name, final String value) throws UsageException {
-    final String text = value(name, value);
-    final int dash = text.indexOf('-');
-    if (dash <= 0) {
-      throw new UsageException("notRange", name, text);
-    }
-    final int first = count(name, text.substring(0, dash)), last = count(name, text.substring(dash + 1));
-    if (first > last) {
-      throw new UsageException("notRange", name, text);
-    }
-    return new int[] {first, last};
-  }
-
-  private static Path path(final String text) throws UsageException {
-    try {
-      return Path.of(text);
-    } catch (final InvalidPathException noPath) {
-      throw LocaleCharset.canExpress(text) ? new UsageException("noPath", text)
-          : new UsageException("noPathInLocale", text, LocaleCharset.name());
-    }
-  }
-
   private void checkTogether() throws UsageException {
-    if (output != null && scenes.size() > 1 && !Files.isDirectory(path(output))
-        && (Files.exists(path(output)) || output.toLowerCase(Locale.ROOT).endsWith(".png"))) {
-      throw new UsageException("outputNoFolder", output);
-    }
-    if (output != null && scenes.isEmpty() && isScene(output)) {
-      throw new UsageException("outputIsScene", output);
-    }
+    files().check();
     if (check && scenes.isEmpty() && !help && !version) {
       throw new UsageException("nothingToCheck");
     }
@@ -181,48 +128,53 @@ final class Options {
     if (window && isForFiles()) {
       throw new UsageException("samplesNoWindow");
     }
-    if (samples > 1 && (view == RenderPass.DEPTH || view == RenderPass.COST)) {
-      throw new UsageException("samplesNoNumbers", view.option());
+    if (view == RenderPass.DEPTH || view == RenderPass.COST) {
+      checkNumbers();
     }
+    checkTurntable();
     if (!check && !window) {
-      checkTargets();
+      files().checkDistinct();
     }
   }
 
-  /** Two scenes of one name in different folders would be written to the same file. */
-  private void checkTargets() throws UsageException {
-    final Map<Object, Path> sceneOf = new HashMap<>();
-    for (final Path scene : new LinkedHashSet<>(scenes)) {
-      final Path target = target(scene);
-      final Path other = sceneOf.putIfAbsent(identity(target), scene);
-      if (other != null && !identity(other).equals(identity(scene))) {
-        throw new UsageException("sameTarget", other, scene, target);
-      }
+  private void checkNumbers() throws UsageException {
+    if (samples > 1 || adaptive) {
+      throw new UsageException("samplesNoNumbers", adaptive ? "--adaptive" : "--samples", view.option());
+    }
+    if (rows != null || pictures > 0) {
+      throw new UsageException("noCommonScale", rows != null ? "--rows" : "--turntable", view.option());
     }
   }
 
-  private static Object identity(final Path file) {
-    try {
-      return FileIdentity.of(file);
-    } catch (final IOException nowhere) {
-      return file;
+  private void checkTurntable() throws UsageException {
+    if (adaptive && samples == 1) {
+      throw new UsageException("adaptiveOne");
+    }
+    if (pictures == 0 && (seconds > 0 || frames != null || again)) {
+      throw new UsageException("noTurntable", seconds > 0 ? "--seconds" : frames != null ? "--frames" : "--again");
+    }
+    final double least = Turntable.SHORTEST * pictures, most = Turntable.LONGEST * pictures;
+    if (seconds > 0 && (seconds < least || seconds > most)) {
+      throw new UsageException("secondsOutside", pictures, least, most, seconds);
+    }
+    if (frames != null && frames[1] >= pictures) {
+      throw new UsageException("framesOutside", frames[0] + "-" + frames[1], pictures - 1);
     }
   }
 
-  /** The file to which the picture of a scene goes. A root folder has no name; that it is not a scene is reported later. */
+  /** The files for the pictures. */
+  private PictureFiles files() {
+    return new PictureFiles(scenes, output, turntable());
+  }
+
+  /** The file for the picture of a scene. */
   Path target(final Path scene) throws UsageException {
-    final String file = Objects.toString(scene.getFileName(), "");
-    final String name = (isScene(file) ? file.substring(0, file.length() - 4) : file) + ".png";
-    if (output == null) {
-      return Path.of("images", name);
-    }
-    final boolean folder = scenes.size() > 1 || output.endsWith("/") || output.endsWith(File.separator)
-        || Files.isDirectory(path(output));
-    return folder ? path(output).resolve(name) : path(output);
+    return files().of(scene);
   }
 
-  private static boolean isScene(final String name) {
-    return name.toLowerCase(Locale.ROOT).endsWith(".xml");
+  /** All files for the pictures of a scene: of an animation several. */
+  List<Path> targets(final Path scene) throws UsageException {
+    return files().all(scene);
   }
 
   List<Path> scenes() {
@@ -242,13 +194,21 @@ final class Options {
     if (rows != null && rows[1] > size[1]) {
       throw new UsageException("rowsOutside", rows[0] + "-" + rows[1], size[1]);
     }
-    return rows == null ? new Resolution(size[0], size[1], samples, 0, size[1])
-        : new Resolution(size[0], size[1], samples, rows[0] - 1, rows[1] - rows[0] + 1);
+    final int K = samples > 0 ? samples : adaptive ? ADAPTIVE_SAMPLES : 1;
+    return rows == null ? new Resolution(size[0], size[1], K, adaptive, 0, size[1])
+        : new Resolution(size[0], size[1], K, adaptive, rows[0] - 1, rows[1] - rows[0] + 1);
+  }
+
+  /** The animation that is asked for; empty if a single picture is. */
+  Optional<Turntable> turntable() {
+    return pictures == 0 ? Optional.empty() : Optional.of(new Turntable(pictures,
+        seconds > 0 ? seconds : Turntable.standardSeconds(pictures), frames == null ? 0 : frames[0],
+        frames == null ? pictures - 1 : frames[1], again));
   }
 
   /** Whether the options are for files only. */
   private boolean isForFiles() {
-    return samples > 1 || rows != null;
+    return samples > 1 || adaptive || rows != null || pictures > 0;
   }
 
   private static int scaled(final int size, final int wanted, final int other) {

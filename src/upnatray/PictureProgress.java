@@ -4,13 +4,14 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Arrays;
 
+import arguments.Messages;
 import rendering.Progress;
 
 /**
  * The progress of one picture: which parts of it are done. It is shown on a terminal, and an interruption finds in it what
  * there is of the picture.
  */
-final class PictureProgress implements Progress, AutoCloseable {
+final class PictureProgress implements Progress, Interruptible, AutoCloseable {
 
   private final Image image;
   private final Path target;
@@ -34,9 +35,20 @@ final class PictureProgress implements Progress, AutoCloseable {
     return progress;
   }
 
-  /** Where the picture is to go. */
-  Path target() {
-    return target;
+  /** Saves the finished part of the picture under another name. */
+  @Override
+  public void interrupted() {
+    final String file = target.getFileName().toString();
+    final String name = file.endsWith(".png") ? file.substring(0, file.length() - 4) : file;
+    final Path partial = target.resolveSibling(name + ".partial.png");
+    try {
+      PngFile.save(partial(), partial);
+      System.err.println(Messages.text("upnatray.partial", partial));
+    } catch (final SaveException failure) {
+      System.err.println(failure.getMessage());
+    } catch (final OutOfMemoryError full) {
+      System.err.println(Messages.text("upnatray.noPartial", partial));
+    }
   }
 
   @Override
@@ -61,7 +73,7 @@ final class PictureProgress implements Progress, AutoCloseable {
   }
 
   /** The finished parts of the image, the rest transparent. */
-  synchronized BufferedImage partial() {
+  private synchronized BufferedImage partial() {
     final BufferedImage partial = new BufferedImage(image.getWidth(), image.getHeight(), BufferedImage.TYPE_INT_ARGB);
     int[] pixels = new int[0];
     for (int i = 0; i < end; i += 4) {

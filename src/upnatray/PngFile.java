@@ -2,25 +2,21 @@ package upnatray;
 
 import static arguments.Arguments.notNull;
 
-import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
-import java.awt.image.DirectColorModel;
-import java.awt.image.RenderedImage;
-import java.awt.image.WritableRaster;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.Collection;
 import java.util.List;
+import java.util.Objects;
 
-import javax.imageio.IIOException;
-import javax.imageio.ImageIO;
-import javax.imageio.ImageWriter;
-import javax.imageio.stream.ImageOutputStream;
-import javax.imageio.stream.MemoryCacheImageOutputStream;
+import arguments.Messages;
 
 /**
  * Saves images as PNG files that appear whole or not at all: an image is written to a hidden temporary file beside its
@@ -29,6 +25,14 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
  * <p>Nothing but a PNG file is ever replaced.
  */
 public final class PngFile {
+
+  /** What a file is to hold. */
+  @FunctionalInterface
+  interface Content {
+
+    /** Writes it to a stream. */
+    void writeTo(OutputStream out) throws IOException;
+  }
 
   private PngFile() {
   }
@@ -56,23 +60,28 @@ public final class PngFile {
    */
   public static void save(final BufferedImage image, final Path target) throws SaveException {
     notNull("image", image);
-    final PngTarget checked = new PngTarget(notNull("target", target));
+    save(notNull("target", target), out -> PngEncoder.write(image, null, out));
+  }
+
+  /** Saves what is written; the same holds as for an image. */
+  static void save(final Path target, final Content content) throws SaveException {
+    final PngTarget checked = new PngTarget(target);
     checked.check(new InputFiles(List.of()));
     try {
-      write(image, checked.place());
+      write(content, checked.place());
     } catch (final IOException failure) {
       throw new SaveException("notSaved", target, SaveFailure.reason(failure), failure);
     }
   }
 
-  private static void write(final BufferedImage image, final Path place) throws IOException {
+  private static void write(final Content content, final Path place) throws IOException {
     final Path temporary = place.resolveSibling(".upnatray-" + Long.toString(System.nanoTime(), 36) + ".tmp");
     try {
       if (place.getParent() != null) {
         Files.createDirectories(place.getParent());
       }
-      try (OutputStream out = Files.newOutputStream(temporary, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE)) {
-        write(image, out);
+      try (OutputStream out = created(temporary, place)) {
+        content.writeTo(out);
       }
       Files.move(temporary, place, StandardCopyOption.ATOMIC_MOVE);
     } catch (final IOException failure) {
@@ -81,61 +90,14 @@ public final class PngFile {
     }
   }
 
-  /** Writes an image row by row, with no more memory than a few rows and a block of the file. */
-  static void write(final BufferedImage image, final OutputStream out) throws IOException {
-    ImageIO.setUseCache(false);
-    final ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
-    try (ImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
-      writer.setOutput(stream);
-      writer.write(writable(image));
-    } catch (final IIOException failure) {
-      throw failure.getCause() instanceof IOException reason ? reason : failure;
-    } finally {
-      writer.dispose();
+  /** Opens a file in a folder that is there; if that is impossible, the reason is the folder's, whose name is known. */
+  private static OutputStream created(final Path temporary, final Path place) throws IOException {
+    try {
+      return Files.newOutputStream(temporary, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+    } catch (final AccessDeniedException | NoSuchFileException failure) {
+      final String folder = Objects.toString(place.toAbsolutePath().getParent());
+      throw new FileSystemException(folder, null, Messages.text("upnatray.noNewFile", folder));
     }
-  }
-
-  private static RenderedImage writable(final BufferedImage image) {
-    if (!image.getColorModel().hasAlpha()) {
-      return image;
-    }
-    final BufferedImage argb = argb(image);
-    return isOpaque(argb) ? withoutAlpha(argb) : argb;
-  }
-
-  private static BufferedImage argb(final BufferedImage image) {
-    if (image.getType() == BufferedImage.TYPE_INT_ARGB) {
-      return image;
-    }
-    final BufferedImage copy = new BufferedImage(image.getWidth(), image.getHeight(), BufferedImage.TYPE_INT_ARGB);
-    final Graphics2D g = copy.createGraphics();
-    g.drawImage(image, 0, 0, null);
-    g.dispose();
-    return copy;
-  }
-
-  private static boolean isOpaque(final BufferedImage image) {
-    final int[] row = new int[image.getWidth()];
-    for (int y = 0; y < image.getHeight(); y++) {
-      image.getRaster().getDataElements(0, y, row.length, 1, row);
-      int all = -1;
-      for (final int argb : row) {
-        all &= argb;
-      }
-      if (all >>> 24 != 0xff) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /** The same pixels, not copied, as an image that has no alpha channel. */
-  private static RenderedImage withoutAlpha(final BufferedImage image) {
-    final DirectColorModel rgb = new DirectColorModel(24, 0xff0000, 0xff00, 0xff);
-    final WritableRaster raster = image.getRaster();
-    final int[] bands = {0, 1, 2};
-    return new BufferedImage(rgb, raster.createWritableChild(raster.getMinX(), raster.getMinY(), raster.getWidth(),
-        raster.getHeight(), 0, 0, bands), false, null);
   }
 
   private static void remove(final Path temporary, final IOException failure) {

@@ -15,7 +15,6 @@ import arguments.Messages;
 /** The file to which a picture is to be written, and the reasons against that. */
 final class PngTarget {
 
-  private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   private static final String ENDING = ".png";
 
   /** Endings of other image formats, and of input files. (A regular expression takes 20 ms to load.) */
@@ -88,9 +87,9 @@ final class PngTarget {
       return;
     }
     try (InputStream in = Files.newInputStream(target)) {
-      final byte[] first = in.readNBytes(SIGNATURE.length);
+      final byte[] first = in.readNBytes(PngChunks.SIGNATURE.length);
       final boolean replaceable = first.length == 0 ? name().toLowerCase(Locale.ROOT).endsWith(ENDING)
-          : Arrays.equals(first, SIGNATURE);
+          : Arrays.equals(first, PngChunks.SIGNATURE);
       if (!replaceable) {
         throw new RefusedTargetException("notPng", target);
       }

@@ -6,6 +6,7 @@ import static arguments.Arguments.notParallel;
 import static arguments.Arguments.wrong;
 import static arguments.Arguments.wrongState;
 
+import javax.vecmath.AxisAngle4d;
 import javax.vecmath.Matrix4d;
 import javax.vecmath.Vector3d;
 
@@ -80,6 +81,29 @@ public class Camera {
       throw wrongState("noProjection");
     }
     return optics;
+  }
+
+  /**
+   * This camera after it has gone around the point that it looks at, about the axis through that point along up: to its own
+   * right for positive angles. What it looks at, up, and the projection stay.
+   *
+   * @param degrees angle in degrees, finite
+   * @return a new camera
+   * @throws IllegalArgumentException if the angle is not finite, or if no float can hold the new position
+   */
+  public Camera turned(final double degrees) {
+    finite("degrees", (float) degrees);
+    final Vector3d axis = new Vector3d(up);
+    axis.normalize();
+    final Matrix4d about = new Matrix4d();
+    about.set(new AxisAngle4d(axis, Math.toRadians(degrees)));
+    final Vector3d arm = new Vector3d((double) position.x - lookAt.x, (double) position.y - lookAt.y,
+        (double) position.z - lookAt.z);
+    about.transform(arm);
+    final Camera turned = new Camera(new Point3D((float) (lookAt.x + arm.x), (float) (lookAt.y + arm.y),
+        (float) (lookAt.z + arm.z)), lookAt, up);
+    turned.optics = optics;
+    return turned;
   }
 
   /**

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
+import java.util.Arrays;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -73,5 +74,59 @@ class AdaptiveTest {
       kept += adaptive[i] != all[i] ? 1 : 0;
     }
     assertTrue(refined > W * H / 50 && kept > 0, refined + " refined, " + kept + " kept of " + W * H);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"stilllife, 4", "chess, 3", "glass, 16"})
+  void theBitsDependNeitherOnTheThreadsNorOnTheBand(final String name, final int K) {
+    final SceneFile scene = scene(name);
+    final int W = 210, H = 130;
+    final int[] whole = render(scene, RenderPass.COLOUR, new Resolution(W, H, K, true, 0, H), 1);
+    assertArrayEquals(whole, render(scene, RenderPass.COLOUR, new Resolution(W, H, K, true, 0, H), 3));
+    for (final int[] band : new int[][] {{0, 1}, {1, 60}, {61, 69}}) {
+      assertArrayEquals(Arrays.copyOfRange(whole, band[0] * W, (band[0] + band[1]) * W),
+          render(scene, RenderPass.COLOUR, new Resolution(W, H, K, true, band[0], band[1]), 2), "from row " + band[0]);
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"stilllife", "shapes", "smooth", "glass", "lights"})
+  void thePixelLoopGivesTheSamePicture(final String name) {
+    final SceneFile scene = scene(name);
+    final int W = 70, H = 50;
+    final Resolution resolution = new Resolution(W, H, 2, true, 0, H);
+    final Image image = new Image(W, H, scene.background());
+    assertTrue(image.synthesis(scene.objects(), scene.camera(), resolution,
+        RenderSettings.STANDARD.withShading(RenderJob.shading(scene)).withPixelLoop()));
+    assertArrayEquals(render(scene, resolution), pixels(image));
+  }
+
+  /** Of a picture with one ray, the still life's mean difference to 4 x 4 rays is several times as great. */
+  @Test
+  void theMeanDifferenceToAllRaysIsSmall() {
+    final SceneFile scene = scene("stilllife");
+    final int W = 180, H = 120;
+    final int[] all = render(scene, new Resolution(W, H, 4, 0, H));
+    final double one = meanDifference(render(scene, Resolution.of(W, H)), all);
+    final double adaptive = meanDifference(render(scene, new Resolution(W, H, 4, true, 0, H)), all);
+    assertTrue(adaptive < 1 && adaptive < one / 3, adaptive + " instead of " + one);
+  }
+
+  private static double meanDifference(final int[] a, final int[] b) {
+    long sum = 0;
+    for (int i = 0; i < a.length; i++) {
+      for (int shift = 0; shift < 24; shift += 8) {
+        sum += Math.abs((a[i] >> shift & 0xff) - (b[i] >> shift & 0xff));
+      }
+    }
+    return sum / 3.0 / a.length;
+  }
+
+  @Test
+  void aRenderingThatIsStoppedSaysSo() {
+    final SceneFile scene = scene("shapes");
+    final Image image = new Image(300, 200, scene.background());
+    final RenderSettings once = new RenderSettings(1, Shading.PLAIN, (x, y, width, height) -> false);
+    assertFalse(image.synthesis(scene.objects(), scene.camera(), new Resolution(300, 200, 2, true, 0, 200), once));
   }
 }

@@ -141,7 +141,8 @@ class MainTest {
   @Test
   void wrongUsage() throws Exception {
     final CommandLine.Result result = program.run("--widht", "3");
-    assertEquals(new CommandLine.Result(2, "", "UPNaTRay: unknown option --widht; --help shows them all\n"), result);
+    final String message = "UPNaTRay: unknown option --widht; --help shows them all. Did you mean `--width`?\n";
+    assertEquals(new CommandLine.Result(2, "", message), result);
   }
 
   @Test

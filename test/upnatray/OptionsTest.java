@@ -15,6 +15,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import arguments.Messages;
+
 class OptionsTest {
 
   private static final Path SCENE = Path.of("somewhere", "torus.xml");
@@ -51,10 +53,42 @@ class OptionsTest {
       + "1e3", "--width 99999999999", "-o",
     "--check=yes a.xml", "--help=1", "--check", "--threads 0",
     "a.xml b.xml --window", "a.xml --window -o b.png", "a.xml --window --check", "a.xml --window --no-window",
-    "p/a.xml q/a.xml", "p/a.xml p/a -o x"})
+    "p/a.xml q/a.xml", "p/a.xml p/a -o x",
+    "--turntable 1", "--turntable 10001", "--turntable x", "--turntable", "--seconds 2", "--frames 0-1", "--again",
+    "--turntable 8 --frames 0-8", "--turntable 8 --frames 3-2", "--turntable 8 --frames 3", "--turntable 8 --seconds 0.07",
+    "--turntable 8 --seconds 0", "--turntable 8 --seconds -1", "--turntable 8 --seconds 2,5",
+    "--turntable 8 --seconds 1e400", "--turntable 8 --seconds 999999999", "--turntable 8 --view depth", "--turntable 8 --view cost",
+    "--turntable 8 --window",
+    "--rows 1-2 --view depth", "--rows 1-2 --view cost", "--adaptive --view depth", "--adaptive --samples 1",
+    "--adaptive --window", "--again=yes --turntable 8"})
   void wrongUsageIsTold(final String args) {
     final UsageException wrong = assertThrows(UsageException.class, () -> Options.of(args.split(" ")));
     assertTrue(wrong.getMessage().length() > 10);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"--sampels, --samples", "--turnable, --turntable", "--widht, --width", "--Frames=1-2, --frames"})
+  void aNearOptionIsSuggested(final String wrong, final String right) {
+    final String message = assertThrows(UsageException.class, () -> Options.of(wrong, "3")).getMessage();
+    assertTrue(message.contains("`" + right + "`"), message);
+    assertEquals(Messages.text("upnatray.unknownOption", "--colour-blind", ""),
+        assertThrows(UsageException.class, () -> Options.of("--colour-blind")).getMessage());
+  }
+
+  @Test
+  void anAnimationIsWholeUnlessSomeOfItsPicturesAreWanted() throws UsageException {
+    assertTrue(Options.of("a.xml").turntable().isEmpty());
+    assertEquals(new Turntable(24, 2, 0, 23, false), Options.of("--turntable", "24").turntable().orElseThrow());
+    assertEquals(new Turntable(24, 0.5, 3, 7, true),
+        Options.of("--turntable=24", "--frames=3-7", "--seconds", ".5", "--again").turntable().orElseThrow());
+  }
+
+  @Test
+  void adaptiveSamplesAreFourByFourUnlessOtherwiseSaid() throws UsageException {
+    assertEquals(new Resolution(6, 4, 4, true, 0, 4), Options.of("--adaptive").resolution(6, 4));
+    assertEquals(new Resolution(6, 4, 3, true, 1, 2),
+        Options.of("--adaptive", "--samples", "3", "--rows", "2-3").resolution(6, 4));
+    assertEquals(new Resolution(6, 4, 1, false, 0, 4), Options.of().resolution(6, 4));
   }
 
   @Test

@@ -48,7 +48,7 @@ class PngFileTest {
 
   private static byte[] written(final BufferedImage image) throws IOException {
     final ByteArrayOutputStream out = new ByteArrayOutputStream();
-    PngFile.write(image, out);
+    PngEncoder.write(image, null, out);
     return out.toByteArray();
   }
 
@@ -132,7 +132,7 @@ class PngFileTest {
       }
     };
     assertEquals("disk full", assertThrows(IOException.class,
-        () -> PngFile.write(image(BufferedImage.TYPE_INT_ARGB), full)).getMessage());
+        () -> PngEncoder.write(image(BufferedImage.TYPE_INT_ARGB), null, full)).getMessage());
   }
 
   /** On Windows a file that another program has open cannot be replaced; the exception of the system is simulated here. */

@@ -232,6 +232,25 @@ class TargetsTest {
     new PngTarget(Path.of("x" + name)).checkName(true);
   }
 
+  /** Below a folder in which nothing can be made, as /proc on Linux is, the message names the folder. */
+  @Test
+  void aFolderThatTakesNoFileIsNamed() throws Exception {
+    final Path system = Path.of("/proc");
+    assumeTrue(Files.isDirectory(system) && Files.isWritable(system));
+    final Path target = system.resolve("x.png");
+    final String message = assertThrows(SaveException.class, () -> PngFile.save(new Image(2, 2, Color.RED), target))
+        .getMessage();
+    assertEquals(Messages.text("upnatray.notSaved", target, Messages.text("upnatray.noNewFile", system)), message);
+  }
+
+  @Test
+  void lightWithoutLightsWarns() throws Exception {
+    assertEquals(0, run("./a.xml", "-o", "./p.png", "--view", "light"), output);
+    assertTrue(output.contains(Messages.text("upnatray.noLight", folder.resolve("a.xml"))), output);
+    assertEquals(0, run("./a.xml", "-o", "./p.png"), output);
+    assertFalse(output.contains(Messages.text("upnatray.noLight", folder.resolve("a.xml"))), output);
+  }
+
   @Test
   void savingRefusesToo() throws Exception {
     final Path notes = Files.writeString(folder.resolve("notes.png"), "my notes");
