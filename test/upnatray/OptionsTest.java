@@ -57,7 +57,7 @@ class OptionsTest {
     "--turntable 1", "--turntable 10001", "--turntable x", "--turntable", "--seconds 2", "--frames 0-1", "--again",
     "--turntable 8 --frames 0-8", "--turntable 8 --frames 3-2", "--turntable 8 --frames 3", "--turntable 8 --seconds 0.07",
     "--turntable 8 --seconds 0", "--turntable 8 --seconds -1", "--turntable 8 --seconds 2,5",
-    "--turntable 8 --seconds 1e400", "--turntable 8 --seconds 999999999", "--turntable 8 --view depth", 
+    "--turntable 8 --seconds 1e400", "--turntable 8 --seconds 999999999", "--turntable 8 --view depth",
     "--turntable 8 --view cost", "--turntable 8 --window",
     "--rows 1-2 --view depth", "--rows 1-2 --view cost", "--adaptive --view depth", "--adaptive --samples 1",
     "--adaptive --window", "--again=yes --turntable 8"})
