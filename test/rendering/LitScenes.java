@@ -32,6 +32,8 @@ import primitives.Vector3D;
 import radiometry.RadianceRGB;
 import radiometry.ReflectanceRGB;
 import radiometry.SpectrumRGB;
+import tracer.Hit;
+import tracer.Ray;
 
 /** Random scenes of all materials and lights, with bent normals, and with a light and a BRDF such as a student writes. */
 final class LitScenes {
@@ -60,6 +62,23 @@ final class LitScenes {
     public RadianceRGB getIrradianceAt(final Point3D P) {
       final double d2 = P.distanceSquared(getPosition());
       return P.y < -0.5f ? RadianceRGB.NORADIANCE : getPower().times(1 / (4 * Math.PI * d2));
+    }
+  }
+
+  /** A pebble as a student writes it, whose hits have only floats behind them. */
+  private static final class Pebble extends Object3D {
+
+    private final Sphere sphere;
+
+    Pebble(final Point3D C, final float r) {
+      super(new Color(90, 80, 70));
+      sphere = new Sphere(C, r, Color.BLACK);
+    }
+
+    @Override
+    public Hit intersectionWith(final Ray ray) {
+      final Hit hit = sphere.intersectionWith(ray);
+      return hit.hits() ? new Hit(hit.getT(), ray.pointAtParameter(hit.getT()), hit.getNormal(), this) : Hit.NOHIT;
     }
   }
 
@@ -96,6 +115,10 @@ final class LitScenes {
   static List<Object3D> objects(final RandomNumbers numbers) {
     final List<Object3D> objects = new ArrayList<>();
     objects.add(new Plane(new Point3D(0, -1, 0), new Vector3D(0, 1, 0), new Color(200, 180, 150)));
+    for (int i = 0; i < 3; i++) {
+      final Object3D pebble = new Pebble(numbers.pointAbout(new Point3D(0, 1, 0), 2), (float) numbers.between(0.2, 0.6));
+      objects.add(i == 0 ? pebble : new AffineTransformation(numbers.direction(), 40 * i, new Vector3f(), pebble));
+    }
     for (final Material material : MATERIALS) {
       objects.add(new Sphere(numbers.pointAbout(new Point3D(0, 1, 0), 2), (float) numbers.between(0.3, 0.8), material));
       final Vector3f shift = new Vector3f(numbers.pointAbout(new Point3D(0, 1, 0), 2));

@@ -52,6 +52,8 @@ class ObservedLightTest {
     private final Map<Ray, RadianceRGB> awaited = new IdentityHashMap<>();
     private final Map<Ray, Integer> depths = new IdentityHashMap<>();
     private Surface surface;
+    /** How many lights have been reported at the surface. */
+    private int reported;
 
     Checker(final Group3D scene, final List<Light> lights, final int recursionDepth, final Ray first,
         final Map<Outcome, Integer> outcomes, final Map<Fate, Integer> fates) {
@@ -66,6 +68,8 @@ class ObservedLightTest {
 
     @Override
     public void surface(final Surface its) {
+      assertTrue(surface == null || reported == lights.size(), "each light is reported");
+      reported = 0;
       surface = its;
       assertEquals(awaited.remove(its.ray()).toString(), its.weight().toString());
       assertEquals(depths.get(its.ray()), its.depth());
@@ -89,6 +93,7 @@ class ObservedLightTest {
     @Override
     public void light(final Contribution its) {
       outcomes.merge(its.outcome(), 1, Integer::sum);
+      assertEquals(reported++, its.number());
       assertSame(lights.get(its.number()), its.light());
       final Point3D P = surface.hit().getPoint(), S = its.light().getPosition(P);
       final RadianceRGB E = its.light().getIrradianceAt(P);
@@ -107,7 +112,10 @@ class ObservedLightTest {
       if (isTraced) {
         final Ray ray = its.shadowRay();
         assertEquals(its.outcome() == Outcome.BLOCKED, scene.intersectAny(ray, its.distance() * (1 - 1e-9)));
-        assertTrue(S.distance(ray.pointAtParameter((float) its.distance())) < 1e-4);
+        final double tolerance = S.equals(its.light().getPosition()) ? 1e-9 : 1e-5;
+        assertEquals(S.x, ray.startX() + its.distance() * ray.directionX(), tolerance, "the ray ends at the light");
+        assertEquals(S.y, ray.startY() + its.distance() * ray.directionY(), tolerance);
+        assertEquals(S.z, ray.startZ() + its.distance() * ray.directionZ(), tolerance);
       }
     }
 
@@ -182,6 +190,7 @@ class ObservedLightTest {
       scene.closestHits(tile, hits);
       final LitTile pixels = new LitTile(illumination);
       final int size = SegmentTile.SIZE, corner = numbers.index(2) * size + numbers.index(2) * size * RayTile.SIZE;
+      pixels.prepare(hits, numbers.index(size), size, size);
       pixels.prepare(hits, corner, size, size);
       for (int k = 0; k < size * size; k++) {
         final int i = corner + k % size + k / size * RayTile.SIZE;
@@ -208,12 +217,12 @@ class ObservedLightTest {
     final RandomNumbers numbers = new RandomNumbers("observed light");
     final Map<LightObserver.Outcome, Integer> outcomes = new EnumMap<>(LightObserver.Outcome.class);
     final Map<LightObserver.Fate, Integer> fates = new EnumMap<>(LightObserver.Fate.class);
-    for (int i = 0; i < RandomNumbers.times(10); i++) {
+    for (int i = 0; i < RandomNumbers.times(12); i++) {
       final Group3D scene = new Group3D();
       LitScenes.objects(numbers).forEach(scene::addObject);
-      final int depth = i % 5;
+      final int depth = i % 4 == 3 ? 12 : i % 4;
       final Illumination illumination = new Illumination(scene, LitScenes.lights(), depth, LitScenes.SKY);
-      for (int k = 0; k < 100; k++) {
+      for (int k = 0; k < 150; k++) {
         final Ray ray = new Ray(numbers.pointAbout(new Point3D(0, 3, 0), 6), numbers.pointAbout(new Point3D(0, 1, 0), 1.5));
         final Checker checker = new Checker(scene, illumination.lights(), depth, ray, outcomes, fates);
         illumination.radiance(ray, scene.intersectionWith(ray), checker);

@@ -56,10 +56,16 @@ final class RecursiveTracer {
   private Hit closest(final Ray ray) {
     Hit closest = Hit.NOHIT;
     for (final Object3D object : objects) {
-      final Hit hit = object.intersectionWith(ray);
+      final Hit hit = ask(object, ray);
       closest = hit.distance() < closest.distance() ? hit : closest;
     }
     return closest;
+  }
+
+  /** The first hit that counts: not that of the very surface that the ray leaves, if its hits are only floats. */
+  private static Hit ask(final Object3D object, final Ray ray) {
+    final Hit hit = object.intersectionWith(ray);
+    return ray.isBlindTo(hit) ? object.intersectionWith(ray.from(ray.blindness())).seenFromBehind(ray.blindness()) : hit;
   }
 
   private static Vector3d unit(final Vector3d v) {
@@ -156,7 +162,7 @@ final class RecursiveTracer {
       final Vector3d way = new Vector3d(S.x - start.x, S.y - start.y, S.z - start.z);
       final double distance = way.length();
       final Ray shadow = hit.leave(before == outside, way.x / distance, way.y / distance, way.z / distance);
-      return objects.stream().anyMatch(object -> object.intersectionWith(shadow).distance() < distance * (1 - 1e-9));
+      return objects.stream().anyMatch(object -> ask(object, shadow).distance() < distance * (1 - 1e-9));
     }
   }
 }

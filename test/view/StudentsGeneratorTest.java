@@ -44,12 +44,13 @@ class StudentsGeneratorTest {
 
   @Test
   void tilesHoldItsRaysBitForBit() {
+    final int W = RayTile.SIZE + 24, H = RayTile.SIZE + 14;
     final int[] rays = {0};
     Trials.of(100, random -> {
-      final RayGenerator generator = new Anything(random, 40, 30);
+      final RayGenerator generator = new Anything(random, W, H);
       final RayTile tile = new RayTile();
       final int columns = 1 + random.nextInt(RayTile.SIZE), rows = 1 + random.nextInt(RayTile.SIZE);
-      final int m = random.nextInt(40 - columns + 1), n = random.nextInt(30 - rows + 1);
+      final int m = random.nextInt(W - columns + 1), n = random.nextInt(H - rows + 1);
       tile.open(columns, rows);
       generator.fill(tile, m, n);
       tile.close();
