@@ -11,18 +11,19 @@ import java.util.TreeSet;
 
 import org.junit.jupiter.api.Test;
 
+import acceleration.RayTile;
 import lights.LightGroup;
 import lights.Omnidirectional;
 import lights.Spot;
 import materials.IdealConductor;
 import materials.IdealDielectric;
-import materials.Lambertian;
 import materials.Material;
 import models.Group3D;
 import models.Object3D;
 import models.Plane;
 import models.RandomNumbers;
 import models.Sphere;
+import models.TileHits;
 import primitives.Point3D;
 import primitives.Vector3D;
 import radiometry.RadianceRGB;
@@ -127,12 +128,17 @@ class ShadowRaysTest {
     tracer.trace(ray, scene.intersectionWith(ray), LightObserver.NONE);
     assertEquals("0 0", tracer.lit() + " " + tracer.shadowed());
     assertTrue(tracer.r() > 0);
-    final TileSurfaces surfaces = new TileSurfaces();
-    surfaces.add(ray, scene.intersectionWith(ray), new Lambertian(new ReflectanceRGB(Color.WHITE)));
-    final DirectLight direct = new DirectLight(illumination, surfaces);
-    direct.find();
-    assertEquals("0 0", direct.lit(0) + " " + direct.shadowed(0));
-    assertEquals(tracer.r(), direct.r(0));
+    final RayTile tile = new RayTile();
+    tile.open(1, 1);
+    tile.put(0, 1, 2, 1, -1, -2, -1);
+    tile.close();
+    final TileHits hits = new TileHits(tile);
+    hits.clear();
+    scene.closestHits(tile, hits);
+    final LitTile pixels = new LitTile(illumination);
+    pixels.prepare(hits, 0, 1, 1);
+    assertEquals("0 0", pixels.lit(0) + " " + pixels.shadowed(0));
+    assertEquals(illumination.argb(ray, scene.intersectionWith(ray)), pixels.argb(0));
   }
 
   /** A flat surface seen at a grazing angle keeps its normal, whatever axis that is along: only bent normals are lifted. */
