@@ -74,6 +74,6 @@ public class ObjBenchmark {
    */
   @Benchmark
   public Object read() {
-    return new ObjReader(file).read().mesh();
+    return new ObjReader(file, false).read().mesh();
   }
 }

@@ -96,7 +96,7 @@ public final class WorkFile {
   }
 
   private void readMesh(final Path file, final StringTokenizer line) throws IOException {
-    final ObjReader.Result reading = new ObjReader(file).read();
+    final ObjReader.Result reading = new ObjReader(file, false).read();
     if (reading.mesh() == null) {
       throw new IOException(reading.problems().get(0).toString());
     }

@@ -69,15 +69,6 @@ public final class ObjReader {
   }
 
   /**
-   * A reader of a file for a flat mesh.
-   *
-   * @param file the file
-   */
-  public ObjReader(final Path file) {
-    this(file, false);
-  }
-
-  /**
    * Reads the file, once.
    *
    * @return its mesh and its problems

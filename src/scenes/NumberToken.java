@@ -72,6 +72,6 @@ record NumberToken(String text, int start) {
 
   /** Whether this token and another number are the same float, so that they differ at most in spelling. */
   boolean hasValueOf(final String number) {
-    return Values.isNumber(text) && Values.isNumber(number) && Float.parseFloat(text) == Float.parseFloat(number);
+    return Decimal.is(text) && Decimal.is(number) && Float.parseFloat(text) == Float.parseFloat(number);
   }
 }

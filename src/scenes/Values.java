@@ -120,13 +120,13 @@ final class Values {
   }
 
   private float number(final Token token, final String name, final Range range) {
-    if (!isNumber(token.text)) {
+    if (!Decimal.is(token.text)) {
       wrong(token, "notNumber", name, Expected.number(range));
       return Float.NaN;
     }
     final float number = Float.parseFloat(token.text);
     if (!Float.isFinite(number) || !range.contains(number)) {
-      final float held = held(token.text, number);
+      final float held = Decimal.held(token.text, number);
       final String key = held != number && range.contains(held) ? "beyondFloat" : "outOfRange";
       problems.error(token.offset, key, name, Messages.quote(token.text), Expected.number(range).text(name));
       return Float.NaN;
@@ -143,47 +143,6 @@ final class Values {
     }
   }
 
-  /** A text rounded to a number, but neither to infinity nor, unless it is 0, to 0. */
-  private static float held(final String text, final float number) {
-    if (Float.isInfinite(number)) {
-      return Math.copySign(Float.MAX_VALUE, number);
-    }
-    return number == 0 && text.split("[eE]")[0].matches(".*[1-9].*") ? Math.copySign(Float.MIN_VALUE, number) : number;
-  }
-
-  /** Whether a text is a decimal number: a sign, digits, a point, an exponent, and nothing else that Java accepts. */
-  static boolean isNumber(final String text) {
-    int i = afterSign(text, 0);
-    final int whole = digits(text, i);
-    i += whole;
-    int fraction = 0;
-    if (i < text.length() && text.charAt(i) == '.') {
-      fraction = digits(text, ++i);
-      i += fraction;
-    }
-    if (whole + fraction == 0) {
-      return false;
-    }
-    if (i < text.length() && (text.charAt(i) == 'e' || text.charAt(i) == 'E')) {
-      i = afterSign(text, i + 1);
-      final int exponent = digits(text, i);
-      i = exponent == 0 ? -1 : i + exponent;
-    }
-    return i == text.length();
-  }
-
-  private static int afterSign(final String text, final int i) {
-    return i < text.length() && (text.charAt(i) == '+' || text.charAt(i) == '-') ? i + 1 : i;
-  }
-
-  private static int digits(final String text, final int from) {
-    int i = from;
-    while (i < text.length() && text.charAt(i) >= '0' && text.charAt(i) <= '9') {
-      i++;
-    }
-    return i - from;
-  }
-
   /** A required whole number; {@link #NONE} if it is missing or below its minimum. */
   int integer(final Element element, final String name, final int minimum) {
     final Element found = required(element, name, Expected.integer(minimum));
@@ -198,9 +157,7 @@ final class Values {
 
   private int integer(final Element value, final int minimum) {
     final String text = text(value).strip();
-    final int start = afterSign(text, 0);
-    final int digits = digits(text, start);
-    final boolean sound = digits > 0 && start + digits == text.length();
+    final boolean sound = Decimal.isWhole(text);
     final double number = sound ? Double.parseDouble(text) : Double.NaN;
     if (!(number >= minimum && number <= Integer.MAX_VALUE)) {
       final String key = number > Integer.MAX_VALUE ? "beyondInteger" : sound ? "outOfRange" : "notInteger";

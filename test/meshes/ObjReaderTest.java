@@ -48,7 +48,7 @@ class ObjReaderTest {
   }
 
   private ObjReader.Result read(final byte[] bytes) {
-    return new ObjReader(files.write("mesh.obj", bytes)).read();
+    return new ObjReader(files.write("mesh.obj", bytes), false).read();
   }
 
   /** The vertices of the triangles of a file that is read without problems. */
