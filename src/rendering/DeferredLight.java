@@ -7,7 +7,7 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * What reflected and refracted rays bring to the pixels of a tile. The surfaces that they see are kept until there are
+ * The light of reflected and refracted rays for the pixels of a tile. The surfaces that they see are kept until there are
  * enough of them, and then lit together. Rays that see the background are kept as well, as a pixel's sum is taken in the
  * order in which {@link WhittedTracer} follows its rays. One for each thread.
  */
@@ -39,7 +39,7 @@ final class DeferredLight {
     this.light = new DirectLight(illumination, surfaces);
   }
 
-  /** Says whose rays come next, and what the lights bring to the surface that the pixel's own ray sees. */
+  /** Sets the pixel whose rays come next, and the contribution of the lights to the surface that its own ray sees. */
   void begin(final int itsPixel, final double lr, final double lg, final double lb) {
     pixel = itsPixel;
     r[pixel] = lr;
@@ -71,7 +71,7 @@ final class DeferredLight {
     }
   }
 
-  /** Finds the light of all that is kept. */
+  /** Computes the light of all that is kept. */
   void find() {
     light.find();
     for (int i = 0; i < count; i++) {

@@ -10,9 +10,9 @@ import models.Group3D;
 import models.ShadowTile;
 
 /**
- * What the lights bring to the surfaces that a tile of pixels sees, light by light for all of them together: directions,
- * irradiances and shadow rays in loops over arrays, which the compiler turns into vector instructions, then what each
- * material reflects, then the shadows of all that reflect anything. The operations and their order are those of
+ * The contribution of the lights to the surfaces that a tile of pixels sees, light by light for all of them together:
+ * directions, irradiances and shadow rays in loops over arrays, which the compiler turns into vector instructions, then
+ * what each material reflects, then the shadows of all that reflect anything. The operations and their order are those of
  * {@link WhittedTracer}, so that a pixel gets the same bits. One for each thread.
  */
 final class DirectLight {
@@ -41,25 +41,25 @@ final class DirectLight {
   /** The surfaces that cast a shadow ray. */
   private final int[] casting = new int[MOST];
   private int cast;
-  /** What a light brings where nothing blocks it. */
+  /** The contribution of a light if nothing blocks it. */
   private final double[] lightR = new double[MOST];
   private final double[] lightG = new double[MOST];
   private final double[] lightB = new double[MOST];
-  /** What all lights bring. */
+  /** The contribution of all lights. */
   private final double[] r = new double[MOST];
   private final double[] g = new double[MOST];
   private final double[] b = new double[MOST];
   private final long[] lit = new long[MOST];
   private final long[] shadowed = new long[MOST];
 
-  /** The light that comes to some surfaces, whose materials scatter. */
+  /** The light that arrives at some surfaces, whose materials scatter. */
   DirectLight(final Illumination illumination, final TileSurfaces surfaces) {
     this.scene = illumination.scene();
     this.lights = illumination.lights().toArray(new Light[0]);
     this.surfaces = surfaces;
   }
 
-  /** Finds what the lights bring to the surfaces at hand. */
+  /** Computes the contribution of the lights to the current surfaces. */
   void find() {
     final int n = surfaces.count();
     Arrays.fill(r, 0, n, 0);
@@ -107,7 +107,7 @@ final class DirectLight {
     }
   }
 
-  /** Adds what a light brings, whose bit it has among the first 64 lights, or 0. */
+  /** Adds the contribution of a light; the bit is its own among the first 64 lights, or 0. */
   private void add(final int n, final long bit) {
     shadows.clear();
     cast = 0;
@@ -132,7 +132,7 @@ final class DirectLight {
     }
   }
 
-  /** Finds what a surface sends along its ray, and casts its shadow ray unless that is zero. */
+  /** Computes the radiance that a surface sends along its ray, and casts its shadow ray unless that is zero. */
   private void scatter(final int i, final Material material) {
     final TileSurfaces s = surfaces;
     interaction.setView(s.normalX[i], s.normalY[i], s.normalZ[i], s.viewX[i], s.viewY[i], s.viewZ[i], s.outside[i]);
@@ -173,12 +173,12 @@ final class DirectLight {
     return b[i];
   }
 
-  /** Which of the first 64 lights bring something to a surface: bit i stands for light i. */
+  /** The first 64 lights that contribute to a surface: bit i for light i. */
   long lit(final int i) {
     return lit[i];
   }
 
-  /** Which of the first 64 lights would bring something to a surface, but are blocked. */
+  /** The first 64 lights that would contribute to a surface, but are blocked. */
   long shadowed(final int i) {
     return shadowed[i];
   }

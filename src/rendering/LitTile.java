@@ -9,9 +9,9 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * Shades the pixels of a tile under an {@link Illumination}: what the lights bring is found for all first hits together,
- * then mirrors and glass are followed pixel by pixel, and what the lights bring to the surfaces seen in them is found
- * for many of those together. One for each thread.
+ * Shades the pixels of a tile under an {@link Illumination}: direct light is computed for all first hits together, then
+ * mirrors and glass are followed pixel by pixel, and what the lights bring to the surfaces seen in them is found for many
+ * of those together. One for each thread.
  */
 final class LitTile {
 
@@ -28,7 +28,7 @@ final class LitTile {
   private final Ray[] rays = new Ray[MOST];
   private final Hit[] found = new Hit[MOST];
   private final Material[] materials = new Material[MOST];
-  /** The number of each pixel among the surfaces, −1 if its material does not scatter. */
+  /** The number of the surface of each pixel; −1 if its material does not scatter. */
   private final int[] numbers = new int[MOST];
 
   LitTile(final Illumination illumination) {
@@ -96,12 +96,12 @@ final class LitTile {
     return found[i];
   }
 
-  /** Which of the first 64 lights bring something to a pixel: bit i stands for light i. */
+  /** The first 64 lights that contribute to a pixel: bit i for light i. */
   long lit(final int i) {
     return numbers[i] < 0 ? 0 : light.lit(numbers[i]);
   }
 
-  /** Which of the first 64 lights would bring something to a pixel, but are blocked. */
+  /** The first 64 lights that would contribute to a pixel, but are blocked. */
   long shadowed(final int i) {
     return numbers[i] < 0 ? 0 : light.shadowed(numbers[i]);
   }

@@ -4,7 +4,7 @@ import acceleration.RayTile;
 import tracer.Ray;
 import tracer.RayGenerator;
 
-/** Those rays of a rectangle of pixels that belong to some of its pixels; the others have none. */
+/** The rays of some of the pixels of a rectangle; the other pixels have none. */
 final class MaskedRays extends GeneratorWindow {
 
   private final int samples;
@@ -50,7 +50,7 @@ final class MaskedRays extends GeneratorWindow {
     return isWanted(m, n) ? super.getRay(m, n) : Ray.NORAY;
   }
 
-  /** Removes the rays that are not wanted from a closed tile whose first is (m, n); returns whether any is left. */
+  /** Removes unwanted rays from a closed tile whose first ray is (m, n); returns whether any is left. */
   boolean mask(final RayTile tile, final int m, final int n) {
     boolean any = false;
     for (int row = 0; row < tile.rows(); row++) {

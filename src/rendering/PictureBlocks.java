@@ -8,8 +8,8 @@ import java.util.function.Function;
 import models.Group3D;
 
 /**
- * The square blocks of a picture, shared out among threads from its centre outwards. Each block is computed by one thread
- * alone, so what is in it does not depend on their number.
+ * The square blocks of a picture, distributed among threads from its centre outwards. Each block is computed by one
+ * thread, so its contents do not depend on the number of threads.
  */
 final class PictureBlocks {
 
@@ -42,9 +42,9 @@ final class PictureBlocks {
    * Computes all blocks, once.
    *
    * @param scene the scene
-   * @param rendering by how many threads, and who watches
+   * @param rendering number of threads, and observer
    * @param factory makes the threads beside the calling one
-   * @param renderers makes what computes blocks, from settings for the parts of a block
+   * @param renderers makes renderers of blocks, from settings for the parts of a block
    * @return false if the rendering was stopped before its end
    */
   boolean render(final Group3D scene, final RenderSettings rendering, final ThreadFactory factory,

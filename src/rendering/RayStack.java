@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 import tracer.Ray;
 
-/** Rays that wait to be followed, the last one first, each with its depth and its weight. Mutable, one for each thread. */
+/** A stack of rays to be followed, each with its depth and its weight. Mutable, one for each thread. */
 final class RayStack {
 
   private Ray[] rays = new Ray[16];
@@ -34,7 +34,7 @@ final class RayStack {
     top++;
   }
 
-  /** Removes the last ray, which is what the methods below return until the next one is pushed. */
+  /** Pops the last ray, whose numbers the methods below return until the next one is pushed. */
   Ray pop() {
     return rays[--top];
   }

@@ -6,8 +6,8 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * The surfaces that the rays of a tile see, numbered in the order in which they are put in: what {@link ViewedSurface} holds
- * of one, as arrays. Mutable, one for each thread.
+ * The surfaces that the rays of a tile see, in the order in which they were added: the numbers of {@link ViewedSurface}
+ * as arrays. Mutable, one for each thread.
  */
 final class TileSurfaces {
 
@@ -21,16 +21,16 @@ final class TileSurfaces {
   final double[] geometricX = new double[MOST];
   final double[] geometricY = new double[MOST];
   final double[] geometricZ = new double[MOST];
-  /** The normals that shade, on the viewer's side. */
+  /** The shading normals on the viewer's side. */
   final double[] normalX = new double[MOST];
   final double[] normalY = new double[MOST];
   final double[] normalZ = new double[MOST];
-  /** Unit vectors towards the viewer, and their cosines to the normals that shade. */
+  /** Unit vectors towards the viewer, and their cosines to the shading normals. */
   final double[] viewX = new double[MOST];
   final double[] viewY = new double[MOST];
   final double[] viewZ = new double[MOST];
   final double[] cosine = new double[MOST];
-  /** How far off the surfaces rays start. */
+  /** The offsets from the surfaces at which rays start. */
   final double[] offset = new double[MOST];
   final boolean[] outside = new boolean[MOST];
   final Material[] materials = new Material[MOST];
@@ -48,12 +48,12 @@ final class TileSurfaces {
     return count;
   }
 
-  /** Whether the accuracy of a hit is known, so that a ray that leaves it is no more than its numbers. */
+  /** Whether the accuracy of a hit is known, so that a ray that leaves it needs no object. */
   boolean isExact(final int i) {
     return hits[i].errorBound() < Double.POSITIVE_INFINITY;
   }
 
-  /** Puts in the surface of a hit, as the ray sees it. */
+  /** Adds the surface of a hit, as the ray sees it. */
   void add(final Ray ray, final Hit hit, final ViewedSurface viewed, final Material material) {
     final int i = count++;
     rays[i] = ray;

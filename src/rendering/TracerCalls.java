@@ -17,8 +17,8 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * Calls of the lights, materials and objects of a scene, some of which may be user-written: what they throw becomes a
- * {@link TracingFailure}, which knows the ray. One for each thread.
+ * Calls of the lights, materials and objects of a scene, some of which may be user-written: their exceptions become a
+ * {@link TracingFailure} with the ray. One for each thread.
  */
 final class TracerCalls {
 
@@ -45,7 +45,7 @@ final class TracerCalls {
     }
   }
 
-  /** The material of the object that a ray hits; if it has none, it is matte, of its colour there. */
+  /** The material of the object that a ray hits; if it has none, a matte one of its colour there. */
   Material material(final Ray ray, final Hit hit) {
     final Object3D object = hit.getObject();
     final Material material = object.getMaterial();
@@ -87,7 +87,7 @@ final class TracerCalls {
     }
   }
 
-  /** Refuses a radiance that no light can have. */
+  /** Rejects a radiance that is negative or not finite. */
   static void check(final SurfaceInteraction interaction) {
     final double sr = interaction.radianceR(), sg = interaction.radianceG(), sb = interaction.radianceB();
     if (!(sr >= 0 && sg >= 0 && sb >= 0 && sr + sg + sb < Double.POSITIVE_INFINITY)) {

@@ -11,16 +11,16 @@ import tracer.Ray;
 
 /**
  * Finds the radiance along a ray for {@link Illumination}: shades its hit, then follows the reflected and refracted rays
- * that were made there, and so on, until none is left. Those that wait are kept in a stack of its own, never more than
- * their greatest depth plus one, so that facing mirrors do not fill that of Java. One for each thread; nothing
- * is allocated on the way but rays and hits.
+ * made there, and so on, until none is left. Those that wait are kept in a stack of its own, never more than their
+ * greatest depth plus one, so that facing mirrors do not fill that of Java. One for each thread; nothing is allocated on
+ * the way but rays and hits.
  */
 final class WhittedTracer {
 
-  /** A ray whose weight in the largest channel is below this brings nothing that could be seen. */
+  /** A ray whose weight in the largest channel is below this makes no visible contribution. */
   private static final double LEAST_WEIGHT = 1e-6;
 
-  /** Part of the way to a light in which an object blocks it: what the light itself lies on does not. */
+  /** Fraction of the way to a light within which an object blocks it: the object that the light is on does not. */
   static final double BEFORE_LIGHT = 1 - 1e-9;
 
   private final TracerCalls calls;
@@ -239,7 +239,7 @@ final class WhittedTracer {
     }
   }
 
-  /** Puts the reflected or the refracted ray among those that wait, if its weight is worth it. */
+  /** Pushes the reflected or the refracted ray if its weight is large enough. */
   private void await(final double fr, final double fg, final double fb, final boolean refracted) {
     final double wr = weightR * fr, wg = weightG * fg, wb = weightB * fb;
     final boolean negligible = !(Math.max(wr, Math.max(wg, wb)) >= LEAST_WEIGHT);
