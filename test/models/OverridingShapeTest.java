@@ -61,6 +61,14 @@ class OverridingShapeTest {
   }
 
   @Test
+  void isItselfInAllOtherRespects() {
+    final Object3D half = new HalfBall(), asked = OverridingShape.asked(half);
+    assertEquals(half.getColor(), asked.getColor());
+    assertEquals(half.getBoundingBox().toString(), asked.getBoundingBox().toString());
+    assertEquals(half.toString(), asked.toString());
+  }
+
+  @Test
   void isAskedUnderATransformation() {
     assertHalf(new AffineTransformation(new Vector3f(1, 2, 1), new HalfBall()));
   }
