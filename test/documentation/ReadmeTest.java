@@ -54,7 +54,7 @@ class ReadmeTest {
   @Test
   void linksOfTheOtherDocumentsLeadToFiles() throws IOException {
     for (final String name : List.of("LEEME.md", "CONTRIBUTING.md", "doc/architecture.md", "doc/language.md", "doc/light.md",
-        "doc/luz.md", "doc/performance.md", "doc/scenes.md", "doc/window.md")) {
+        "doc/luz.md", "doc/parallel.md", "doc/performance.md", "doc/scenes.md", "doc/window.md")) {
       final Path folder = Path.of(name).toAbsolutePath().getParent();
       for (final String link : new Document(name).all("\\]\\(([^)#:]+)\\)")) {
         assertTrue(Files.isRegularFile(folder.resolve(link)), name + ": " + link);
