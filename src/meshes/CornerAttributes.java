@@ -18,7 +18,7 @@ final class CornerAttributes {
 
   /** Adds a normal of any length. */
   void normal(final double x, final double y, final double z) {
-    if (normalEnd == normals.length) {
+    if (normalEnd + 3 > normals.length) {
       normals = Arrays.copyOf(normals, IntBuffer.larger(normalEnd, 3));
     }
     final double length = Math.sqrt(x * x + y * y + z * z);

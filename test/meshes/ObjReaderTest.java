@@ -132,6 +132,21 @@ class ObjReaderTest {
     assertEquals(5, reading.problems().get(0).line());
   }
 
+  /** Arrays that grow by half have lengths that are no multiple of 3 from some hundred thousand numbers on. */
+  @Test
+  void manyNormalsAndTextureCoordinatesAreRead() {
+    final int many = 300_000;
+    final ObjReader.Result reading = new ObjReader(files.write("many.obj", ("v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+        + "vn 0 1 0\n".repeat(many - 1) + "vn 1 0 0\n" + "vt 0 1\n".repeat(many - 1) + "vt 2 3\n"
+        + "v 0 0 1\n".repeat(many) + "f 1/1/1 2/" + many + "/" + many + " " + (many + 3) + "\n")
+        .getBytes(StandardCharsets.UTF_8)), true).read();
+    assertEquals(List.of(), reading.problems());
+    assertArrayEquals(new int[] {0, 1, many + 2}, reading.mesh().flat().corners());
+    final MeshData smooth = reading.mesh().smooth();
+    assertEquals(1, smooth.normals().values()[3 * smooth.normals().corners()[1]]);
+    assertEquals(3, smooth.texCoords().values()[2 * smooth.texCoords().corners()[1] + 1]);
+  }
+
   @Test
   void aPolygonOfAVertexAtFaultIsNotBlamed() {
     assertProblems(SQUARE + "v 1 2\nf 1 2 3 5 4\n", "5:1: a vertex has fewer than three numbers: expected `v x y z`");
