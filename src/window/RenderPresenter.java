@@ -89,7 +89,7 @@ final class RenderPresenter implements BackgroundRenderer.Listener {
     updates.start();
   }
 
-  /** What was pinned in the picture can be inspected already, while it is refined. */
+  /** What is pinned is inspected now, not once more at the end: so what the user selects meanwhile stays selected. */
   @Override
   public void refining(final RenderJob next, final ProgressivePicture nextPicture) {
     showProgress();
@@ -115,7 +115,9 @@ final class RenderPresenter implements BackgroundRenderer.Listener {
   public void finished(final RenderJob ended, final boolean completed) {
     showProgress();
     end(StatusBar.finished(ended, completed));
-    repeatInspection();
+    if (ended.samples() == 1) {
+      repeatInspection();
+    }
     window.dialogs().renderingFinished();
   }
 
