@@ -14,8 +14,8 @@ final class RenderPresenter implements BackgroundRenderer.Listener {
   /** Interval between updates of the picture in ms: short enough to look continuous, long enough to be cheap. */
   private static final int DELAY_MS = 80;
 
-  /** Painting takes at most 1/40 of the time of one core, whatever the size of the picture ... */
-  private static final int PAINTING_RATIO = 40;
+  /** Painting takes at most 1/80 of the time of one core, whatever the size of the picture ... */
+  private static final int PAINTING_RATIO = 80;
 
   /** ... but the picture is updated at least this often. */
   private static final int MAX_DELAY_MS = 500;
