@@ -88,21 +88,7 @@ final class MeshTile extends MeshLeaves {
     }
     for (int row = window.firstRow(); row <= lastRow; row += atOnce) {
       final int first = row * RayTile.SIZE + firstColumn, n = Math.min(atOnce, lastRow - row + 1);
-      long mask = 0, doubtful = 0;
-      if (many) {
-        mask = coverage.next(n);
-      } else {
-        for (int k = 0, i = first, column = 1; k < n * width; k++) {
-          final double dx = rays.directionX(i), dy = rays.directionY(i), dz = rays.directionZ(i);
-          final long signs = Double.doubleToRawLongBits(dx * ex + dy * ey + dz * ez + error)
-              | Double.doubleToRawLongBits(dx * fx + dy * fy + dz * fz + error)
-              | Double.doubleToRawLongBits(dx * gx + dy * gy + dz * gz + error);
-          mask |= (~signs >>> 63) << k;
-          final int endOfRow = width - 1 - column >> 31;
-          i += 1 + (endOfRow & RayTile.SIZE - width);
-          column = (column & ~endOfRow) + 1;
-        }
-      }
+      long mask = many ? coverage.next(n) : few(first, width, n * width, ex, ey, ez, fx, fy, fz, gx, gy, gz), doubtful = 0;
       for (; mask != 0; mask &= mask - 1) {
         final int k = Long.numberOfTrailingZeros(mask), i = first + k / width * RayTile.SIZE + k % width;
         final double dx = rays.directionX(i), dy = rays.directionY(i), dz = rays.directionZ(i);
@@ -118,6 +104,23 @@ final class MeshTile extends MeshLeaves {
         testExactly(first + k / width * RayTile.SIZE + k % width, place);
       }
     }
+  }
+
+  /** Looks at each ray of some rows of few pixels; returns those that may have the three signs, as bits. */
+  private long few(final int first, final int width, final int pixels, final double ex, final double ey, final double ez,
+      final double fx, final double fy, final double fz, final double gx, final double gy, final double gz) {
+    long mask = 0;
+    for (int k = 0, i = first, column = 1; k < pixels; k++) {
+      final double dx = rays.directionX(i), dy = rays.directionY(i), dz = rays.directionZ(i);
+      final long signs = Double.doubleToRawLongBits(dx * ex + dy * ey + dz * ez + error)
+          | Double.doubleToRawLongBits(dx * fx + dy * fy + dz * fz + error)
+          | Double.doubleToRawLongBits(dx * gx + dy * gy + dz * gz + error);
+      mask |= (~signs >>> 63) << k;
+      final int endOfRow = width - 1 - column >> 31;
+      i += 1 + (endOfRow & RayTile.SIZE - width);
+      column = (column & ~endOfRow) + 1;
+    }
+    return mask;
   }
 
   /** A ray so close to an edge that rounding could have changed a sign. */
