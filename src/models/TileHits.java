@@ -7,8 +7,8 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * The closest hits found so far for the rays of a tile: for each its distance, the object that was hit and what is to be
- * painted. Nothing is allocated for a hit unless {@link #hit} is called. Not safe for use by several threads.
+ * The closest hits found so far for the rays of a tile: for each its distance, the object that was hit, and the part that
+ * is to be painted. Nothing is allocated for a hit unless {@link #hit} is called. Not safe for use by several threads.
  *
  * <p>Distances are compared as floats, as {@link Hit#isCloser} compares them, and of two at the same distance the
  * one of the object first added to the group wins, whatever the order in which they are found: so a picture does not depend
@@ -49,7 +49,7 @@ public final class TileHits {
   private TileHits nested;
 
   /**
-   * Hits for the rays of a tile, to be used again each time that the tile is filled.
+   * Hits for the rays of a tile, reused each time that the tile is filled.
    *
    * @param rays the tile
    */
@@ -62,7 +62,7 @@ public final class TileHits {
     this.isNested = nested;
   }
 
-  /** Forgets all hits, for the rays that the tile holds now. A pixel without a ray gets distance 0: nothing is closer. */
+  /** Clears all hits, for the rays that the tile has now. A pixel without a ray gets distance 0: nothing is closer. */
   public void clear() {
     Arrays.fill(source, 0);
     sources.clear();
@@ -79,7 +79,7 @@ public final class TileHits {
     currentOrder = 0;
   }
 
-  /** Says which object of the group will make the next offers, as its number in the order of adding. */
+  /** Sets the object of the group that makes the next offers, as its number in the order of adding. */
   void setOrder(final int order) {
     currentOrder = order;
   }
@@ -91,7 +91,7 @@ public final class TileHits {
     }
   }
 
-  /** Asks an object about the ray i alone. */
+  /** Tests an object against the single ray i. */
   void offer(final int i, final Ray ray, final Object3D object) {
     final double distance = object.distance(rays.startX(i), rays.startY(i), rays.startZ(i),
         rays.directionX(i), rays.directionY(i), rays.directionZ(i));
@@ -230,7 +230,7 @@ public final class TileHits {
    * The ray of a pixel.
    *
    * @param i number of the pixel, which must have a ray
-   * @return the ray, made anew
+   * @return a new ray
    */
   public Ray ray(final int i) {
     return isNested ? Ray.exactly(rays.startX(i), rays.startY(i), rays.startZ(i),

@@ -9,21 +9,21 @@ import models.Group3D;
 import tracer.RayGenerator;
 
 /**
- * A picture with K × K rays for those pixels alone that an edge may cross; see {@link Supersampling}. First each pixel gets
- * one ray, through its centre. Those are refined whose red, green, blue or alpha, in sRGB of 255, differs from that of the
- * neighbour at the left, at the right, above or below by more than {@value #STEP}; or by more than {@value #EDGE} where they
- * show different objects, or lie in the shadow of different lights (of the first 64). Four neighbours are enough: of a
- * straight edge a x + b y = c across the pixel about the origin, |c| ≤ (|a| + |b|) / 2 ≤ max(|a|, |b|), the centre of one of
- * them lies on the other side, or on the edge.
+ * A picture with K × K rays for only those pixels that an edge may cross; see {@link Supersampling}. First each pixel
+ * gets one ray, through its centre. Those are refined whose red, green, blue or alpha, in sRGB of 255, differs from that
+ * of the neighbour at the left, at the right, above or below by more than {@value #STEP}; or by more than {@value #EDGE}
+ * where they show different objects, or lie in the shadow of different lights (of the first 64). Four neighbours are
+ * enough: of a straight edge a x + b y = c across the pixel about the origin, |c| ≤ (|a| + |b|) / 2 ≤ max(|a|, |b|), the
+ * centre of one of them lies on the other side, or on the edge.
  *
- * <p>A pixel that is refined has exactly the value of {@link Supersampling}, any other exactly that of the picture with one
- * ray. (For even K the ray through the centre is none of the K × K. One of these in its place would shift all that is not
- * refined by a part of a pixel against what is.) What is smaller than the distance of two rays can be missed altogether.
+ * <p>A pixel that is refined has exactly the value of {@link Supersampling}, any other exactly that of the picture with
+ * one ray. (For even K the ray through the centre is none of the K × K. Using one of these instead would shift unrefined
+ * pixels by a fraction of a pixel against refined ones.) Details smaller than the distance between rays can be missed.
  *
  * <p>Sources: Whitted, "An improved illumination model for shaded display", Communications of the ACM 23(6), 1980, which
- * samples a pixel more densely where the samples about it differ; Mitchell, "Generating antialiased images at low sampling
- * densities", SIGGRAPH 1987, whose test is the contrast of neighbouring samples in each channel. In place of contrasts of
- * light there are differences of sRGB, which the eye finds about equal all over the scale.
+ * samples a pixel more densely where the samples about it differ; Mitchell, "Generating antialiased images at low
+ * sampling densities", SIGGRAPH 1987, whose test is the contrast of neighbouring samples in each channel. Instead of
+ * contrasts of light it uses differences of sRGB, which is perceptually about uniform.
  */
 public final class AdaptiveSampling {
 

@@ -5,7 +5,7 @@ import models.TileHits;
 import tracer.Hit;
 import tracer.Ray;
 
-/** Writes the colours of a shading, before a background. */
+/** Writes the colours of a shading, on a background. */
 class ColourWriter implements PixelWriter {
 
   private final Shading shading;
@@ -29,12 +29,12 @@ class ColourWriter implements PixelWriter {
     pixels[pixel] = background;
   }
 
-  /** Whether pixels have the plain colours of the objects, for which nobody needs to make a hit. */
+  /** Whether pixels have the plain colours of the objects, for which no hit needs to be made. */
   boolean isPlain() {
     return shading == Shading.PLAIN;
   }
 
-  /** Working space for the light of a tile; null if pixels do not show light. */
+  /** Working space for the light of a tile; null for other shadings. */
   LitTile litTile() {
     return shading instanceof Illumination illumination ? new LitTile(illumination) : null;
   }

@@ -14,8 +14,8 @@ import tracer.Ray;
 import tracer.RayGenerator;
 
 /**
- * One synthesis of an image: its tiles of 32 × 32 pixels, shared out among threads that each take the next one. Every pixel
- * depends on its own ray alone, so the threads need to agree on nothing but who computes which tile.
+ * Renders one image: its tiles of 32 × 32 pixels are distributed among threads, each of which takes the next one. Every
+ * pixel depends on its own ray alone, so the threads share nothing but the number of the next tile.
  */
 public final class TileRenderer {
 
@@ -27,7 +27,7 @@ public final class TileRenderer {
   private final int H;
   private final int across;
   private final int tiles;
-  /** In which order the tiles are computed; null for the order of their numbers, if nobody watches. */
+  /** The order in which the tiles are computed; null for that of their numbers, without an observer. */
   private final int[] order;
   private final AtomicInteger next = new AtomicInteger();
   private final AtomicReference<Throwable> failure = new AtomicReference<>();
@@ -38,7 +38,7 @@ public final class TileRenderer {
    *
    * @param scene the scene
    * @param generator the rays of the picture, which give its size
-   * @param rendering how many threads compute it, and what watches them
+   * @param rendering number of threads, and observer
    * @param picture what becomes of each pixel
    */
   public TileRenderer(final Group3D scene, final RayGenerator generator, final RenderSettings rendering,
