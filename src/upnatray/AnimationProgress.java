@@ -1,6 +1,7 @@
 package upnatray;
 
 import java.nio.file.Path;
+import java.util.concurrent.atomic.AtomicInteger;
 
 import arguments.Messages;
 import rendering.Progress;
@@ -11,7 +12,7 @@ final class AnimationProgress implements Progress, Interruptible, AutoCloseable 
   private final InterruptHandler interruption;
   private final ProgressLine line;
   private final int pictures;
-  private volatile int complete;
+  private final AtomicInteger complete;
 
   /**
    * The progress of an animation that is about to be rendered.
@@ -24,7 +25,7 @@ final class AnimationProgress implements Progress, Interruptible, AutoCloseable 
    */
   AnimationProgress(final Path scene, final int complete, final int pictures, final long pixels,
       final InterruptHandler interruption) {
-    this.complete = complete;
+    this.complete = new AtomicInteger(complete);
     this.pictures = pictures;
     this.interruption = interruption;
     this.line = new ProgressLine(scene.toString(), pixels);
@@ -33,7 +34,7 @@ final class AnimationProgress implements Progress, Interruptible, AutoCloseable 
 
   /** One more picture is saved. */
   void pictureDone() {
-    complete++;
+    complete.incrementAndGet();
   }
 
   @Override
@@ -44,7 +45,7 @@ final class AnimationProgress implements Progress, Interruptible, AutoCloseable 
 
   @Override
   public void interrupted() {
-    System.err.println(Messages.text("upnatray.animationInterrupted", complete, pictures));
+    System.err.println(Messages.text("upnatray.animationInterrupted", complete.get(), pictures));
   }
 
   @Override

@@ -3,6 +3,7 @@ package upnatray;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Objects;
 
 import arguments.Messages;
 import rendering.Progress;
@@ -38,7 +39,7 @@ final class PictureProgress implements Progress, Interruptible, AutoCloseable {
   /** Saves the finished part of the picture under another name. */
   @Override
   public void interrupted() {
-    final String file = target.getFileName().toString();
+    final String file = Objects.toString(target.getFileName(), "");
     final String name = file.endsWith(".png") ? file.substring(0, file.length() - 4) : file;
     final Path partial = target.resolveSibling(name + ".partial.png");
     try {

@@ -1,6 +1,7 @@
 package upnatray;
 
 import java.nio.file.Path;
+import java.util.Objects;
 
 import view.Camera;
 
@@ -44,7 +45,7 @@ record Turntable(int pictures, double seconds, int first, int last, boolean agai
 
   /** The file of picture k, beside the animated picture: NAME-007.png. */
   Path file(final Path animated, final int k) {
-    final String name = animated.getFileName().toString().replaceFirst("(?i)\\.png$", "");
+    final String name = Objects.toString(animated.getFileName(), "").replaceFirst("(?i)\\.png$", "");
     final int digits = Math.max(3, Integer.toString(pictures - 1).length());
     return animated.resolveSibling(name + "-" + "0".repeat(digits - Integer.toString(k).length()) + k + ".png");
   }
