@@ -28,10 +28,10 @@ import tracer.RayGenerator;
 public final class AdaptiveSampling {
 
   /** The difference of a channel up to which neighbours count as equal, of 255. */
-  public static final int STEP = 80;
+  public static final int STEP = 96;
 
   /** The same for neighbours of different objects, or in different shadows. */
-  public static final int EDGE = 48;
+  public static final int EDGE = 64;
 
   private final Group3D scene;
   private final RayGenerator coarse;
