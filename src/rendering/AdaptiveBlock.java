@@ -6,11 +6,11 @@ import tracer.RayGenerator;
 /** Renders blocks of a picture by {@link AdaptiveSampling}; working space of one thread. */
 final class AdaptiveBlock {
 
-  /** Side of a block in pixels: with one more at each side, whose neighbours they are, a whole number of tiles. */
+  /** Side of a block in pixels: with the neighbours at each side it is a whole number of tiles. */
   static final int SIDE = 94;
   private static final int MARGIN = 1;
 
-  /** Rays that are held at a time of the pixels to be refined. */
+  /** Greatest number of rays of refined pixels that are held at a time. */
   private static final int MOST_RAYS = 1 << 18;
 
   private final Group3D scene;
@@ -72,7 +72,7 @@ final class AdaptiveBlock {
         || row > 0 && edges.isEdge(i, i - W) || row < H - 1 && edges.isEdge(i, i + W);
   }
 
-  /** Gives those pixels of some rows of the block their K × K rays that need them. */
+  /** Refines, in some rows of the block, the pixels that need it. */
   private boolean refine(final int m, final int n, final int width, final int from, final int rows, final int[] pixels,
       final int at) {
     final MaskedRays masked = new MaskedRays(fine, new int[] {m, n + from, width, rows}, samples, refined, from * width);

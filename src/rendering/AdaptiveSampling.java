@@ -17,13 +17,13 @@ import tracer.RayGenerator;
  * centre of one of them lies on the other side, or on the edge.
  *
  * <p>A pixel that is refined has exactly the value of {@link Supersampling}, any other exactly that of the picture with
- * one ray. (For even K the ray through the centre is none of the K × K. Using one of these instead would shift unrefined
+ * one ray. (For even K the ray through the centre is not one of the K × K. Using one of these instead would shift unrefined
  * pixels by a fraction of a pixel against refined ones.) Details smaller than the distance between rays can be missed.
  *
  * <p>Sources: Whitted, "An improved illumination model for shaded display", Communications of the ACM 23(6), 1980, which
  * samples a pixel more densely where the samples about it differ; Mitchell, "Generating antialiased images at low
  * sampling densities", SIGGRAPH 1987, whose test is the contrast of neighbouring samples in each channel. Instead of
- * contrasts of light it uses differences of sRGB, which is perceptually about uniform.
+ * contrasts of light this class uses differences of sRGB, which is perceptually about uniform.
  */
 public final class AdaptiveSampling {
 
@@ -46,7 +46,7 @@ public final class AdaptiveSampling {
    * @param coarse the rays of the picture, one for each pixel
    * @param fine the rays of a picture K times as wide and as high
    * @param samples K, 1 … {@value Supersampling#MOST}
-   * @param rendering how colours come about, by how many threads, and who watches
+   * @param rendering how pixels are coloured, the number of threads, and the observer
    * @throws IllegalArgumentException if an argument is null, or K out of range
    */
   public AdaptiveSampling(final Group3D scene, final RayGenerator coarse, final RayGenerator fine, final int samples,
@@ -60,7 +60,7 @@ public final class AdaptiveSampling {
   }
 
   /**
-   * Renders a band of the picture. What it shows does not depend on where the band ends, as neighbours beyond are looked at.
+   * Renders a band of the picture. Its pixels do not depend on where it ends, as neighbours outside it are examined too.
    *
    * @param bottom its lowest row, from 0
    * @param rows number of rows

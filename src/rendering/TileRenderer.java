@@ -106,7 +106,7 @@ public final class TileRenderer {
     }
   }
 
-  /** Lights and paints parts of a tile: as many pixels at a time as have their shadow rays asked together. */
+  /** Lights and paints parts of a tile: as many pixels at a time as share their shadow queries. */
   private void paintLit(final TileHits hits, final LitTile lit, final int width, final int height, final int at) {
     for (int row = 0; row < height; row += SegmentTile.SIZE) {
       for (int column = 0; column < width; column += SegmentTile.SIZE) {

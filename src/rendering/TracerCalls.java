@@ -65,11 +65,12 @@ final class TracerCalls {
     try {
       return light.illuminate(x, y, z, incidence);
     } catch (RuntimeException | StackOverflowError failure) {
-      final boolean isNull = failure instanceof IllegalStateException && isPositionAtFault(light, x, y, z);
-      throw TracingFailure.of(light, isNull ? "getPosition" : "getIrradianceAt", ray, failure);
+      final boolean positionFails = failure instanceof IllegalStateException && isPositionAtFault(light, x, y, z);
+      throw TracingFailure.of(light, positionFails ? "getPosition" : "getIrradianceAt", ray, failure);
     }
   }
 
+  /** Whether a light that cannot illuminate a point has an irradiance there, so that its position is what is missing. */
   private static boolean isPositionAtFault(final Light light, final double x, final double y, final double z) {
     try {
       return light.getIrradianceAt(new Point3D((float) x, (float) y, (float) z)) != null;
@@ -95,6 +96,7 @@ final class TracerCalls {
     }
   }
 
+  /** Computes the factors of the ideal rays; false if the material reflects and refracts none. */
   boolean isSpecular(final Material material, final Ray ray, final double cosine, final boolean outside,
       final SpecularRays specular) {
     try {

@@ -198,15 +198,11 @@ final class WhittedTracer {
     final double wx = incidence.directionX(), wy = incidence.directionY(), wz = incidence.directionZ();
     interaction.setIncident(wx, wy, wz);
     final double ci = interaction.cosineIn(), facing = surface.facing(wx, wy, wz);
-    final boolean before = ci > 0 && facing > 0;
-    if (!before && !(ci < 0 && facing < 0 && material.transmits())) {
+    final boolean before = ci > 0 && facing > 0, counts = before || ci < 0 && facing < 0 && material.transmits();
+    if (!counts || !material.scatters()) {
       if (report != null) {
-        report.dark(lights[number], number, LightObserver.Outcome.BEHIND);
+        report.dark(lights[number], number, counts ? LightObserver.Outcome.NOT_REFLECTED : LightObserver.Outcome.BEHIND);
       }
-      return;
-    }
-    if (!material.scatters()) {
-      report.dark(lights[number], number, LightObserver.Outcome.NOT_REFLECTED);
       return;
     }
     final double k = Math.abs(ci);
