@@ -41,6 +41,7 @@ public final class CostGrowth {
    * Prints the tables.
    *
    * @param args names of tables, {@code triangles}, {@code spheres}, {@code lights}, {@code depth} or {@code pixels}
+   * @throws IllegalArgumentException if there is no table of a name
    */
   public static void main(final String[] args) {
     for (final String table : args) {
@@ -49,7 +50,8 @@ public final class CostGrowth {
         case "spheres" -> spheres();
         case "lights" -> lights();
         case "depth" -> depths();
-        default -> pixels();
+        case "pixels" -> pixels();
+        default -> throw new IllegalArgumentException(table);
       }
     }
   }
@@ -115,7 +117,7 @@ public final class CostGrowth {
         (float) random.nextDouble(-extent, extent));
   }
 
-  /** A floor and 100 spheres, a third each of them dull, mirrors and glass. */
+  /** A floor and 100 spheres, a third of them each matte, mirrors and glass. */
   private static Group3D lit() {
     final SplittableRandom random = new SplittableRandom(2);
     final ReflectanceRGB grey = new ReflectanceRGB(0.6f, 0.6f, 0.6f), white = new ReflectanceRGB(0.9f, 0.9f, 0.9f);

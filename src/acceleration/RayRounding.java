@@ -6,7 +6,7 @@ package acceleration;
  */
 public final class RayRounding {
 
-  /** 2^29 + 1, which splits the 24 digits of a float off the 53 of a double. */
+  /** 2^29 + 1, which splits the 24 bits of a float off the 53 of a double. */
   private static final double SPLITTER = (1 << 29) + 1;
 
   private RayRounding() {
@@ -38,11 +38,12 @@ public final class RayRounding {
   }
 
   /**
-   * Rounds a number to the 24 digits of a float, without converting it (Veltkamp's splitting; Dekker, "A Floating-Point
-   * Technique for Extending the Available Precision", 1971).
+   * Rounds a number to the 24 significant bits of a float, without converting it (Veltkamp's splitting; Dekker, "A
+   * Floating-Point Technique for Extending the Available Precision", 1971). The range of float does not limit the result:
+   * it becomes neither subnormal nor infinite where a float would.
    *
    * @param x a number, at most 2<sup>900</sup>
-   * @return the number of 24 digits next to it
+   * @return the nearest number of 24 bits
    */
   public static double rounded(final double x) {
     final double p = SPLITTER * x;

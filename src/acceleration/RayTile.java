@@ -270,7 +270,7 @@ public final class RayTile extends TileRays {
   /**
    * Whether all pixels of all columns up to {@link #SIZE} are known to have rays.
    *
-   * @return false if some have none, or nobody looked
+   * @return false if some have none, or if that is not known
    */
   public boolean isComplete() {
     return complete;

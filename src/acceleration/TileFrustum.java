@@ -115,7 +115,7 @@ public final class TileFrustum {
   /**
    * Prepares for boxes, and triangles, that lie within a box.
    *
-   * @return false if floats could overflow, so that {@link #sides} may be asked nothing
+   * @return false if floats could overflow, so that {@link #sides} must not be used
    */
   boolean prepare(final float[] whole) {
     final boolean possible = sides.prepare(whole);
@@ -228,7 +228,7 @@ public final class TileFrustum {
   /**
    * Finds which rays in the window lie on the inner side of planes, if they are a pyramid.
    *
-   * @return the coverage, which each triangle may use anew
+   * @return the coverage, which is reused for each triangle
    */
   public TileCoverage coverage() {
     return coverage;
