@@ -10,8 +10,8 @@ import tracer.Hit;
 import tracer.Ray;
 
 /**
- * The objects of a scene as they were added to it or to a group in it: a hit has the innermost object, such as a triangle of
- * a mesh or what is transformed.
+ * The objects of a scene as they were added to it or to a group in it. The object of a hit is the innermost one, such as a
+ * triangle of a mesh, or the object within a transformation.
  */
 final class SceneObjects {
 
@@ -31,7 +31,7 @@ final class SceneObjects {
     }
   }
 
-  /** The object of the scene that contains the object of a hit; that itself if it is not found. */
+  /** The object of the scene that contains the object of a hit; the latter itself if none is found. */
   Object3D of(final Ray ray, final Hit hit) {
     if (added.contains(hit.getObject())) {
       return hit.getObject();
@@ -54,7 +54,7 @@ final class SceneObjects {
     return null;
   }
 
-  /** An object that fails was not hit. */
+  /** Whether a ray hits a part of an object; an object that throws an exception counts as not hit. */
   private static boolean isHit(final Object3D object, final Ray ray, final Object3D part) {
     try {
       final Hit hit = object.intersectionWith(ray);

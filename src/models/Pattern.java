@@ -2,11 +2,11 @@ package models;
 
 import tracer.Hit;
 
-/** Whether a class overrides {@link Object3D#getColorAt}. */
+/** Classes whose objects are not of one colour, as they override {@link Object3D#getColorAt}. */
 final class Pattern {
 
-  /** For each class; if {@link Object3D#isTextured} is declared by the same class, that decides instead. */
-  private static final ClassValue<Boolean> OF_ITS_OWN = new ClassValue<>() {
+  /** Whether a class is one; not if the override comes with one of {@link Object3D#isTextured}, which then decides. */
+  private static final ClassValue<Boolean> OVERRIDDEN = new ClassValue<>() {
     @Override
     protected Boolean computeValue(final Class<?> type) {
       try {
@@ -21,7 +21,8 @@ final class Pattern {
   private Pattern() {
   }
 
+  /** Whether objects of a class have a pattern. */
   static boolean isOn(final Class<?> type) {
-    return OF_ITS_OWN.get(type);
+    return OVERRIDDEN.get(type);
   }
 }
