@@ -4,15 +4,15 @@ import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 
 /**
- * What the first bytes of a text file say of its encoding: a byte-order mark, or, without one, zeros where the first
+ * What the first bytes of a text file say about its encoding: a byte-order mark, or, without one, zeros where the first
  * character of UTF-16 or UTF-32 has them if it is one of ASCII (Extensible Markup Language 1.0, appendix F).
  *
- * @param charset the encoding; null if the bytes say nothing, as those of UTF-8 without a mark
+ * @param charset the encoding; null if the bytes do not show it, as in UTF-8 without a mark
  * @param length number of bytes of the mark; 0 if there is none
  */
 public record UnicodeMark(Charset charset, int length) {
 
-  /** So many bytes are looked at. */
+  /** Number of bytes that are examined. */
   public static final int LONGEST = 4;
 
   /** Encodings and their marks, the bytes of which are written as characters of Latin-1. */

@@ -43,7 +43,7 @@ public final class MaterialFiles {
     warnOfUnknown();
   }
 
-  /** Names that no triangle has are nobody's loss. */
+  /** Warns of each unknown material that a triangle has. */
   private void warnOfUnknown() {
     final List<ObjMaterials.Name> names = mesh.materials().used();
     IntStream.of(mesh.materialOf()).distinct().filter(number -> number >= 0).sorted().mapToObj(names::get)

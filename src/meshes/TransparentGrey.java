@@ -16,8 +16,10 @@ final class TransparentGrey {
 
   private static final int SIGNATURE = 8;
   private static final int CHECKSUM = 4;
+
   /** Length of width and height in the header, before the depth. */
   private static final int SIZES = 8;
+
   private static final int HEADER = 0x49484452;
   private static final int TRANSPARENCY = 0x74524e53;
   private static final int DATA = 0x49444154;
@@ -28,7 +30,7 @@ final class TransparentGrey {
   private TransparentGrey() {
   }
 
-  /** The image that was read from a PNG file, or, if such a grey is in it, one that has it right. */
+  /** The image that was read from a PNG file, or, if the file declares such a grey, a corrected one. */
   static BufferedImage corrected(final Path file, final BufferedImage image) throws IOException {
     final int grey = of(file);
     if (grey == NONE) {

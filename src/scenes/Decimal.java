@@ -6,8 +6,8 @@ final class Decimal {
   private Decimal() {
   }
 
-  /** A text rounded to a number, but neither to infinity nor, unless it is 0, to 0. */
-  static float held(final String text, final float number) {
+  /** The float to which a text was rounded, but the greatest or the least one in place of overflow or underflow. */
+  static float clamped(final String text, final float number) {
     if (Float.isInfinite(number)) {
       return Math.copySign(Float.MAX_VALUE, number);
     }

@@ -24,7 +24,7 @@ import view.Camera;
  * @param camera the camera, with its projection
  * @param objects the objects
  * @param names the id of the model that each of the objects shows; objects are compared by identity
- * @param meshes the files of its meshes
+ * @param meshes the files that it is made of: meshes, their materials, and textures
  */
 public record SceneFile(String name, int width, int height, Color background, Lighting lighting, Camera camera,
     Group3D objects, Map<Object3D, String> names, Set<Path> meshes) {
@@ -40,7 +40,7 @@ public record SceneFile(String name, int width, int height, Color background, Li
    * @param camera the camera
    * @param objects the objects
    * @param names the ids of the models
-   * @param meshes the files of its meshes
+   * @param meshes the files that it is made of: meshes, their materials, and textures
    * @throws IllegalArgumentException if an argument is null, or if there is no pixel
    */
   public SceneFile {
@@ -66,7 +66,7 @@ public record SceneFile(String name, int width, int height, Color background, Li
    * @param camera the camera
    * @param objects the objects
    * @param names the ids of the models
-   * @param meshes the files of its meshes
+   * @param meshes the files that it is made of: meshes, their materials, and textures
    * @throws IllegalArgumentException if an argument is null, or if there is no pixel
    */
   public SceneFile(final String name, final int width, final int height, final Color background, final boolean facing,

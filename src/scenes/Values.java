@@ -126,8 +126,8 @@ final class Values {
     }
     final float number = Float.parseFloat(token.text);
     if (!Float.isFinite(number) || !range.contains(number)) {
-      final float held = Decimal.held(token.text, number);
-      final String key = held != number && range.contains(held) ? "beyondFloat" : "outOfRange";
+      final float clamped = Decimal.clamped(token.text, number);
+      final String key = clamped != number && range.contains(clamped) ? "beyondFloat" : "outOfRange";
       problems.error(token.offset, key, name, Messages.quote(token.text), Expected.number(range).text(name));
       return Float.NaN;
     }
