@@ -20,10 +20,10 @@ import javax.imageio.ImageIO;
 import upnatray.PngChunks.Chunk;
 
 /**
- * An animated PNG file (APNG), whose pictures are those of PNG files of the same size, repeated for ever. It is a PNG file:
- * programs without animation show its first picture; all current browsers show the animation. A GIF, which ImageIO can
- * write, has no more than 256 colours and no partial transparency; an APNG has the pictures' own pixels. Their compressed
- * data is copied as it is.
+ * An animated PNG file (APNG), whose pictures are those of PNG files of the same size, repeated endlessly. It is a PNG
+ * file: programs that know no animations show its first picture; all current browsers show the animation. A GIF, which
+ * ImageIO can write, has no more than 256 colours and no partial transparency; an APNG has the pictures' own pixels. Their
+ * compressed data is copied as it is.
  *
  * <p>Source: W3C, "Portable Network Graphics (PNG) Specification", third edition, 2025, sections 4.9 and 11.3.6.
  */
@@ -58,7 +58,7 @@ final class AnimatedPng {
    * @param pictures the PNG files of its pictures, at least one, all of the same size
    * @param seconds how long it takes to show them once
    * @param stream where to
-   * @throws IOException if a picture cannot be read, or the animation not written
+   * @throws IOException if a picture cannot be read, or the animation cannot be written
    */
   static void write(final List<Path> pictures, final double seconds, final OutputStream stream) throws IOException {
     final BufferedOutputStream out = new BufferedOutputStream(stream);
@@ -93,7 +93,7 @@ final class AnimatedPng {
     }
   }
 
-  /** Data of a picture but the first, which has a number before it. */
+  /** Data of a picture other than the first: it is preceded by a number. */
   private Chunk numbered(final Chunk chunk) throws IOException {
     final ByteArrayOutputStream data = new ByteArrayOutputStream(Integer.BYTES + chunk.data().length);
     final DataOutputStream numbered = new DataOutputStream(data);
@@ -126,7 +126,7 @@ final class AnimatedPng {
     return bytes.toByteArray();
   }
 
-  /** A number as a fraction of whole numbers of two bytes, as fine as they can be. */
+  /** A number as a fraction whose numerator and denominator fit in two bytes each, as accurate as possible. */
   private static int[] fraction(final double number) {
     int denominator = 10_000;
     while (number * denominator > GREATEST_SHORT) {

@@ -13,13 +13,13 @@ import rendering.RenderPass;
 import scenes.SceneFile;
 
 /**
- * The pictures of a {@link Turntable}, each in a file of its own, and the animated picture of all of them. Pictures that are
- * there, whole and of this very scene, are not rendered again; so what was interrupted goes on, and parts that were rendered
- * apart come together.
+ * The pictures of a {@link Turntable}, each in a file of its own, and the animated picture of all of them. Complete pictures
+ * of this very scene that already exist are not rendered again: so an interrupted animation continues, and parts that were
+ * rendered separately are joined.
  */
 final class Animation {
 
-  /** Makes what renders a scene. */
+  /** Makes the jobs that render scenes. */
   @FunctionalInterface
   interface Renderer {
 
@@ -58,6 +58,8 @@ final class Animation {
    * @param view what the pictures show
    * @param renderer renders a picture
    * @param out where the files are named
+   * @throws SaveException if a file cannot be read or written
+   * @throws UsageException if the options do not fit the scene
    */
   void render(final Resolution resolution, final RenderPass view, final Renderer renderer, final PrintStream out)
       throws SaveException, UsageException {

@@ -17,8 +17,8 @@ import java.util.TreeSet;
 import upnatray.PngChunks.Chunk;
 
 /**
- * The mark of a picture of an animation, in a text of the PNG file: a digest (SHA-256) of all that it depends on. By
- * it a picture is recognised that need not be rendered again.
+ * The mark of a picture of an animation, in a text of the PNG file: a digest (SHA-256) of all that the picture depends on.
+ * It identifies pictures that need not be rendered again.
  */
 final class FrameMark {
 
@@ -27,7 +27,7 @@ final class FrameMark {
   /**
    * The marks of the pictures of an animation.
    *
-   * @param files the contents of which pictures are made: the scene, meshes, textures
+   * @param files the files that the pictures are made of: the scene, meshes, materials, textures
    * @param settings what else they depend on, as a text
    * @throws IOException if a file cannot be read
    */
@@ -59,13 +59,14 @@ final class FrameMark {
     return HexFormat.of().formatHex(digest.digest());
   }
 
-  /** Whether a file is complete and picture k. */
+  /** Whether a file is picture k, and complete. */
   boolean isOn(final Path file, final int k) {
     try (InputStream in = new BufferedInputStream(Files.newInputStream(file))) {
       final PngChunks chunks = new PngChunks(in);
+      final String mark = of(k);
       boolean marked = false;
       for (Chunk chunk = chunks.next(); chunk != null; chunk = chunks.next()) {
-        marked |= of(k).equals(chunk.text());
+        marked |= mark.equals(chunk.text());
       }
       return marked;
     } catch (final IOException missingOrDamaged) {
@@ -73,7 +74,7 @@ final class FrameMark {
     }
   }
 
-  /** Whether a file exists, holds something, and is no picture of an animation, of whatever scene. */
+  /** Whether a file exists, is not empty, and is not a picture of an animation, of whatever scene. */
   static boolean isForeign(final Path file) {
     if (!Files.exists(file)) {
       return false;

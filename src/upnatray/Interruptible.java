@@ -1,6 +1,6 @@
 package upnatray;
 
-/** Work that Ctrl-C may end before its time. */
+/** Work that Ctrl-C may end early. */
 @FunctionalInterface
 interface Interruptible {
 

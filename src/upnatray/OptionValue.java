@@ -40,7 +40,7 @@ record OptionValue(String option, String value) {
     throw new UsageException("notCount", option, text, least);
   }
 
-  /** A whole number between two others. */
+  /** A whole number from one limit to another, both included. */
   int within(final int least, final int most) throws UsageException {
     final int number = number(text(), 1);
     if (number < least || number > most) {
@@ -49,7 +49,7 @@ record OptionValue(String option, String value) {
     return number;
   }
 
-  /** Two whole numbers A-B, the first at most the second. */
+  /** Two whole numbers A-B, the first at most the second, and neither below a limit. */
   int[] range(final int least) throws UsageException {
     final String text = text();
     final int dash = text.indexOf('-');

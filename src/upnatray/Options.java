@@ -20,7 +20,7 @@ final class Options {
       "--adaptive", "--rows", "--turntable", "--seconds", "--frames", "--again", "--threads", "--check", "--window",
       "--no-window", "-h", "--help", "--version");
 
-  /** K of adaptive sampling if nothing is said. */
+  /** K of adaptive sampling by default. */
   private static final int ADAPTIVE_SAMPLES = 4;
 
   private final List<Path> scenes = new ArrayList<>();

@@ -9,8 +9,8 @@ import arguments.Messages;
 import rendering.Progress;
 
 /**
- * The progress of one picture: which parts of it are done. It is shown on a terminal, and an interruption finds in it what
- * there is of the picture.
+ * The progress of one picture: which parts of it are done. It is shown on a terminal; after an interruption
+ * those parts are saved.
  */
 final class PictureProgress implements Progress, Interruptible, AutoCloseable {
 

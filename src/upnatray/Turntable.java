@@ -13,27 +13,27 @@ import view.Camera;
  * @param seconds how long a turn takes
  * @param first number of the first picture to be rendered
  * @param last number of the last picture to be rendered
- * @param again whether pictures that are there are rendered anew
+ * @param again whether existing pictures are rendered again
  */
 record Turntable(int pictures, double seconds, int first, int last, boolean again) {
 
-  /** Numbers of pictures from which one can be chosen. */
+  /** Limits of the number of pictures. */
   static final int FEWEST = 2;
   static final int MOST = 10_000;
 
-  /** Pictures in a second unless otherwise said. */
+  /** Pictures per second by default. */
   private static final int STANDARD_RATE = 12;
 
   /** Limits of the seconds for which a picture is shown: browsers slow down shorter ones, PNG cannot express longer ones. */
   static final double SHORTEST = 0.01;
   static final double LONGEST = 65_535;
 
-  /** How long a turn takes if nothing is said. */
+  /** Duration of a turn by default, in seconds. */
   static double standardSeconds(final int pictures) {
     return (double) pictures / STANDARD_RATE;
   }
 
-  /** Whether all pictures are asked for, so that the animated picture can be made of them. */
+  /** Whether all pictures are to be rendered, so that the animated picture can be made of them. */
   boolean isWhole() {
     return first == 0 && last == pictures - 1;
   }
