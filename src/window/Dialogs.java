@@ -55,7 +55,8 @@ final class Dialogs {
 
   /**
    * Saves a picture to the chosen file, on a thread of its own, which also completes if the window is closed meanwhile. A
-   * file that is no PNG or is an input of the scene is refused; the user confirms before another existing file is replaced.
+   * file that is not a PNG or is an input of the scene is refused; the user confirms before another existing file is
+   * replaced.
    */
   void saveAs(final BufferedImage picture, final Path file) {
     final Path target = PictureFile.withExtension(file);

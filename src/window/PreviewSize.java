@@ -1,19 +1,22 @@
 package window;
 
 /**
- * How many pixels a coarse picture may have so that enough of them are shown in a second. The speed is that of the last few
- * pictures together: so their mean time is kept, even where single ones are delayed by other programs. Thread-safe.
+ * How many pixels a coarse picture may have so that enough of them are shown in a second. The speed is the mean of the last
+ * few pictures, as other programs may delay single ones. Thread-safe.
  */
 final class PreviewSize {
 
   /** Duration of a picture, in seconds, that leaves time to show 25 of them a second. */
   static final double SECONDS = 0.03;
 
+  /** Least number of pixels. */
   private static final double LEAST = 1500;
+
+  /** Limits of the ratio of a number of pixels to the last one. */
   private static final double SMALLEST_STEP = 0.3;
   private static final double LARGEST_STEP = 1.6;
 
-  /** What earlier pictures count for when another has been rendered. */
+  /** Factor by which the weight of earlier pictures decreases with each new one. */
   private static final double MEMORY = 0.8;
 
   private double pixels = 30_000;

@@ -7,7 +7,7 @@ import arguments.Messages;
 /**
  * How many rays a pixel gets.
  *
- * @param K K, for K × K rays
+ * @param K square root of the number of rays, at least 1
  * @param atEdges whether only pixels that an edge may cross get them, and the others one
  */
 record Samples(int K, boolean atEdges) {

@@ -22,7 +22,7 @@ final class SceneWatch {
 
   private static final long DELAY_MS = 250;
 
-  /** Times of files may be so much too early: they are those of a clock that ticks slowly. */
+  /** By how much the times of files may be too early, as they come from a clock that ticks slowly. */
   private static final long CLOCK_TICK_MS = 10;
 
   /** The attributes that reveal a change. A missing file has size -1. */

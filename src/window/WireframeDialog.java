@@ -19,7 +19,7 @@ import inspection.Wireframe;
 import tracer.Hit;
 import upnatray.RenderJob;
 
-/** The wireframe view in a dialog of its own. Objects are asked for their boxes in the background. */
+/** The wireframe view in a dialog of its own. The boxes of objects are computed in the background. */
 final class WireframeDialog {
 
   private final RenderWindow window;

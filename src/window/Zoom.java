@@ -55,12 +55,4 @@ record Zoom(double scale, double x, double y) {
         bottom = (int) Math.ceil(y + (pixels.y + pixels.height) * scale);
     return new Rectangle(left, top, right - left, bottom - top);
   }
-
-  /** The smallest rectangle of pixels that contains a part of the component. */
-  Rectangle inPicture(final Rectangle part) {
-    final int left = (int) Math.floor((part.x - x) / scale), top = (int) Math.floor((part.y - y) / scale);
-    final int right = (int) Math.ceil((part.x + part.width - x) / scale),
-        bottom = (int) Math.ceil((part.y + part.height - y) / scale);
-    return new Rectangle(left, top, right - left, bottom - top);
-  }
 }

@@ -79,7 +79,6 @@ class PartsTest {
     }
     assertEquals(64, other.scale());
     assertTrue(other.onScreen(new Rectangle(pixel.x, pixel.y, 1, 1)).contains(pointer));
-    assertEquals(new Rectangle(0, 0, 200, 100), zoom.inPicture(new Rectangle(0, 100, 400, 200)));
   }
 
   @Test
