@@ -215,7 +215,7 @@ public final class Hit {
 
   /**
    * The intersection that a shape has computed in double, with a normal that shades, which is cut to the front, and with
-   * texture coordinates.
+   * texture coordinates. The geometric normal stands in for one that is zero or not finite.
    *
    * @param t distance from the start of the ray
    * @param x first coordinate of the point
@@ -226,7 +226,7 @@ public final class Hit {
    * @param gz third component of the geometric normal
    * @param error see {@link #errorBound()}
    * @param object object whose colour is to be painted
-   * @param nx first component of the normal that shades, of any length but 0
+   * @param nx first component of the normal that shades, of any length
    * @param ny second component of the normal that shades
    * @param nz third component of the normal that shades
    * @param u first texture coordinate; NaN if there are none
@@ -241,19 +241,21 @@ public final class Hit {
       return NOHIT;
     }
     final boolean isOwn = nx == gx && ny == gy && nz == gz;
-    if (isOwn || !(nx * gx + ny * gy + nz * gz >= 0)) {
+    final double shading2 = nx * nx + ny * ny + nz * nz;
+    if (isOwn || !(nx * gx + ny * gy + nz * gz >= 0 && shading2 > 0 && shading2 < Double.POSITIVE_INFINITY)) {
       final Hit flat = new Hit(t, x, y, z, gx, gy, gz, error, object);
       return isOwn ? flat.with(flat.geometricX, flat.geometricY, flat.geometricZ, u, v) : flat.withCut(nx, ny, nz, u, v);
     }
-    final double length = Math.sqrt(length2), inverse = 1 / Math.sqrt(nx * nx + ny * ny + nz * nz);
+    final double length = Math.sqrt(length2), inverse = 1 / Math.sqrt(shading2);
     return new Hit(t, x, y, z, error, object, gx / length, gy / length, gz / length,
         nx * inverse, ny * inverse, nz * inverse, u, v);
   }
 
   /**
-   * This hit with a normal that shades, which is cut to the front, and with texture coordinates.
+   * This hit with a normal that shades, which is cut to the front, and with texture coordinates. The geometric normal stands
+   * in for one that is zero or not finite.
    *
-   * @param nx first component of the normal, of any length but 0
+   * @param nx first component of the normal, of any length
    * @param ny second component of the normal
    * @param nz third component of the normal
    * @param textureU first texture coordinate; NaN if there are none

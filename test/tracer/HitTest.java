@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
+import java.util.Arrays;
 import java.util.Random;
 
 import javax.vecmath.TexCoord2f;
@@ -212,6 +213,16 @@ class HitTest {
   private static double[] unit(final double[] v) {
     final double length = Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     return new double[] {v[0] / length, v[1] / length, v[2] / length};
+  }
+
+  @Test
+  void theGeometricNormalShadesWhereTheGivenOneIsNoDirection() {
+    final double inf = Double.POSITIVE_INFINITY;
+    final double[][] normals = {{0, 0, 0}, {inf, 0, 1}, {0, -inf, 1}, {0, 0, inf}, {0, 0, Double.NaN}, {1e200, 0, 1}};
+    for (final double[] n : normals) {
+      final Hit hit = Hit.shaded(1, 0, 0, 0, 0, 0, 2, 0, BALL, n[0], n[1], n[2], 0.25, 0.75);
+      assertEquals(new Vector3D(0, 0, 1), hit.getNormal(), () -> Arrays.toString(n));
+    }
   }
 
   @Test
