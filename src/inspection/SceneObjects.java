@@ -2,6 +2,7 @@ package inspection;
 
 import java.util.Collections;
 import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Set;
 
 import models.Group3D;
@@ -15,43 +16,26 @@ import tracer.Ray;
  */
 final class SceneObjects {
 
-  private final Group3D scene;
+  private final List<Object3D> members;
   private final Set<Object3D> added = Collections.newSetFromMap(new IdentityHashMap<>());
 
   SceneObjects(final Group3D scene) {
-    this.scene = scene;
-    collect(scene);
-  }
-
-  private void collect(final Group3D group) {
-    for (final Object3D object : group.getObjects()) {
-      if (added.add(object) && object instanceof Group3D within) {
-        collect(within);
-      }
-    }
+    members = scene.getMembers();
+    added.addAll(members);
   }
 
   /** The object of the scene that contains the object of a hit; the latter itself if none is found. */
   Object3D of(final Ray ray, final Hit hit) {
-    if (added.contains(hit.getObject())) {
-      return hit.getObject();
+    final Object3D part = hit.getObject();
+    if (added.contains(part)) {
+      return part;
     }
-    final Object3D container = find(scene, ray, hit);
-    return container == null ? hit.getObject() : container;
-  }
-
-  private static Object3D find(final Group3D group, final Ray ray, final Hit hit) {
-    for (final Object3D object : group.getObjects()) {
-      if (object instanceof Group3D within) {
-        final Object3D container = find(within, ray, hit);
-        if (container != null) {
-          return container;
-        }
-      } else if (isHit(object, ray, hit.getObject())) {
-        return object;
+    for (final Object3D member : members) {
+      if (isHit(member, ray, part)) {
+        return member;
       }
     }
-    return null;
+    return part;
   }
 
   /** Whether a ray hits a part of an object; an object that throws an exception counts as not hit. */
