@@ -121,6 +121,7 @@ public class Image extends BufferedImage {
           resolution.wholeRays(camera), K, rendering)
           .render(resolution.bottom(), resolution.rows(), pixels(), background, Thread::new);
     }
+    // For one ray per pixel, not by the method above: from Main to a shape there are at most twelve calls.
     return K > 1 ? synthesis(scene, resolution.rays(camera), K, rendering)
         : rendering.render(scene, resolution.rays(camera), rendering.colours(pixels(), background), Thread::new);
   }

@@ -40,7 +40,7 @@ public final class Main {
   static int run(final String... args) {
     try {
       final Options options = Options.of(args);
-      if (isAnswered(options)) {
+      if (printInformation(options)) {
         return 0;
       }
       final List<Path> scenes = options.scenes().isEmpty() ? List.of(defaultScene()) : options.scenes();
@@ -59,8 +59,8 @@ public final class Main {
     }
   }
 
-  /** Prints the help or the version if that is what was asked for. */
-  private static boolean isAnswered(final Options options) {
+  /** Prints the help or the version if that is what was asked for; false if it is neither. */
+  private static boolean printInformation(final Options options) {
     if (options.help()) {
       System.out.println(Messages.text("upnatray.usage"));
     } else if (options.version()) {
