@@ -64,7 +64,7 @@ final class StoredTexels {
     return scales;
   }
 
-  /** What an ink and the black one let through; without inks, −1, the sample itself. */
+  /** The light that an ink and the black one transmit; without inks, black being −1, the sample itself. */
   private static int light(final int sample, final int black) {
     return black < 0 ? sample : eight((255 - sample) * (255 - black), 255 * 255);
   }

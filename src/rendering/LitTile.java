@@ -80,7 +80,7 @@ final class LitTile {
   private void follow(final int i) {
     final int k = numbers[i];
     deferred.begin(i, k < 0 ? 0 : light.r(k), k < 0 ? 0 : light.g(k), k < 0 ? 0 : light.b(k));
-    if (illumination.recursionDepth() > 0 && (k < 0 || calls.isSpecular(materials[i], rays[i], surfaces.cosine[k],
+    if (illumination.recursionDepth() > 0 && (k < 0 || calls.findSpecular(materials[i], rays[i], surfaces.cosine[k],
         surfaces.outside[k], specular))) {
       tracer.traceSpecular(rays[i], found[i], materials[i], deferred);
     }

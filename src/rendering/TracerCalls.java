@@ -97,7 +97,7 @@ final class TracerCalls {
   }
 
   /** Computes the factors of the ideal rays; false if the material reflects and refracts none. */
-  boolean isSpecular(final Material material, final Ray ray, final double cosine, final boolean outside,
+  boolean findSpecular(final Material material, final Ray ray, final double cosine, final boolean outside,
       final SpecularRays specular) {
     try {
       return material.specular(Math.max(0, Math.min(1, cosine)), outside, specular);

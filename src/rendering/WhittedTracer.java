@@ -186,10 +186,10 @@ final class WhittedTracer {
   }
 
   private void makeRays(final Material material) {
-    if ((depth < recursionDepth || report != null) && calls.isSpecular(material, ray,
+    if ((depth < recursionDepth || report != null) && calls.findSpecular(material, ray,
         interaction.cosineOut(), surface.isSeenFromOutside(), specular)) {
-      await(specular.refractedR(), specular.refractedG(), specular.refractedB(), true);
-      await(specular.reflectedR(), specular.reflectedG(), specular.reflectedB(), false);
+      push(specular.refractedR(), specular.refractedG(), specular.refractedB(), true);
+      push(specular.reflectedR(), specular.reflectedG(), specular.reflectedB(), false);
     }
   }
 
@@ -236,7 +236,7 @@ final class WhittedTracer {
   }
 
   /** Pushes the reflected or the refracted ray if its weight is large enough. */
-  private void await(final double fr, final double fg, final double fb, final boolean refracted) {
+  private void push(final double fr, final double fg, final double fb, final boolean refracted) {
     final double wr = weightR * fr, wg = weightG * fg, wb = weightB * fb;
     final boolean negligible = !(Math.max(wr, Math.max(wg, wb)) >= LEAST_WEIGHT);
     if (negligible || depth >= recursionDepth) {
