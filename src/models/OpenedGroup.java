@@ -25,7 +25,7 @@ final class OpenedGroup {
         object.addTo(opened);
       }
     }
-    return opened.members;
+    return Collections.unmodifiableList(opened.members);
   }
 
   /** Adds an object that is not a group. */
