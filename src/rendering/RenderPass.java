@@ -55,6 +55,15 @@ public enum RenderPass {
   }
 
   /**
+   * Whether the pass shows numbers on a scale, which have no mean, instead of colours.
+   *
+   * @return true for {@link #DEPTH} and {@link #COST}
+   */
+  public boolean showsNumbers() {
+    return this == DEPTH || this == COST;
+  }
+
+  /**
    * The pass of a name of the command line.
    *
    * @param name the name, in any case

@@ -128,7 +128,7 @@ final class Options {
     if (window && isForFiles()) {
       throw new UsageException("samplesNoWindow");
     }
-    if (view == RenderPass.DEPTH || view == RenderPass.COST) {
+    if (view.showsNumbers()) {
       checkNumbers();
     }
     checkTurntable();

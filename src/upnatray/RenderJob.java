@@ -212,6 +212,10 @@ public final class RenderJob {
         }
       }
     }
+    return currentScale();
+  }
+
+  private ColourScale currentScale() {
     return view == RenderPass.COST ? ColourScale.ofCost(greatest) : ColourScale.ofDepth(least, greatest);
   }
 
@@ -274,7 +278,7 @@ public final class RenderJob {
     if (numbers == null || least > greatest) {
       return Optional.empty();
     }
-    return Optional.of(view == RenderPass.COST ? ColourScale.ofCost(greatest) : ColourScale.ofDepth(least, greatest));
+    return Optional.of(currentScale());
   }
 
   /**

@@ -26,6 +26,6 @@ record PictureOptions(RenderPass pass, PictureSize size, Samples samples, int th
 
   /** Whether the picture is refined by more rays once it has been rendered with one for each pixel. Numbers have no mean. */
   boolean isRefined() {
-    return samples.K() > 1 && pass != RenderPass.DEPTH && pass != RenderPass.COST;
+    return samples.K() > 1 && !pass.showsNumbers();
   }
 }
