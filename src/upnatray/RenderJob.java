@@ -215,7 +215,7 @@ public final class RenderJob {
     return currentScale();
   }
 
-  private ColourScale currentScale() {
+  private synchronized ColourScale currentScale() {
     return view == RenderPass.COST ? ColourScale.ofCost(greatest) : ColourScale.ofDepth(least, greatest);
   }
 
