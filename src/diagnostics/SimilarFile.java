@@ -60,7 +60,7 @@ public final class SimilarFile {
     return similar == null ? null : missing.getParent() == null ? Path.of(similar) : folder.resolve(similar);
   }
 
-  /** A folder itself if it exists, or else one that differs only in case or normal form; null if there is none. */
+  /** A folder itself if it exists, or else one that differs only in case or normal form; null if none. */
   private static Path folder(final Path folder) {
     if (folder == null) {
       return Path.of("");

@@ -8,7 +8,7 @@ import java.nio.charset.StandardCharsets;
  * character of UTF-16 or UTF-32 has them if it is one of ASCII (Extensible Markup Language 1.0, appendix F).
  *
  * @param charset the encoding; null if the bytes do not show it, as in UTF-8 without a mark
- * @param length number of bytes of the mark; 0 if there is none
+ * @param length number of bytes of the mark; 0 if none
  */
 public record UnicodeMark(Charset charset, int length) {
 

@@ -46,7 +46,7 @@ public final class UnusualBlank {
    * Looks for the first one.
    *
    * @param text a text
-   * @return its index; −1 if there is none
+   * @return its index; −1 if none
    */
   public static int indexIn(final String text) {
     for (int i = 0; i < text.length(); i++) {

@@ -21,7 +21,7 @@ final class Fresnel {
    *
    * @param cosine cosine of the incident ray's angle, from 0 to 1
    * @param ratio index of refraction on its side, divided by that of the other
-   * @return the cosine; NaN if there is none, that is, for total reflection
+   * @return the cosine; NaN if none, that is, for total reflection
    */
   static double refractedCosine(final double cosine, final double ratio) {
     return Math.sqrt(cosine * cosine + (1 - ratio) * (1 + ratio) * (1 - cosine) * (1 + cosine));

@@ -32,7 +32,7 @@ final class DecimalParser {
    *
    * @param bytes the bytes, in which something other than a number follows
    * @param start index of the first byte
-   * @return the number, perhaps infinite; NaN if there is none
+   * @return the number, perhaps infinite; NaN if none
    */
   double parse(final byte[] bytes, final int start) {
     final int whole = afterSign(bytes, start);

@@ -91,7 +91,7 @@ final class FacetReader {
     return Outcome.SOUND;
   }
 
-  /** Reads a whole number, perhaps with a sign; false if there is none. */
+  /** Reads a whole number, perhaps with a sign; false if none. */
   private boolean index(final int start) {
     final byte[] window = text.bytes.window;
     int i = start;

@@ -83,7 +83,7 @@ public final class MaterialFiles {
   }
 
   /**
-   * The file that another refers to: relative to it, by its path or by the last part of the path; null if there is none.
+   * The file that another refers to: relative to it, by its path or by the last part of the path; null if none.
    *
    * @param from the file that names it
    * @param name the name, in which backslashes separate folders too

@@ -9,7 +9,7 @@ import models.Appearance;
  * A material of a file, as far as it concerns the colour of facets.
  *
  * @param color its diffuse colour, with the opacity as alpha
- * @param texture texture in place of the colour where facets have texture coordinates; null if there is none
+ * @param texture texture in place of the colour where facets have texture coordinates; null if none
  */
 record MtlMaterial(Color color, Texture texture) {
 

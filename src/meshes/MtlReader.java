@@ -131,7 +131,7 @@ final class MtlReader {
     }
   }
 
-  /** The next number; NaN if there is none. */
+  /** The next number; NaN if none. */
   private double number() throws IOException {
     if (!text.toWord()) {
       return Double.NaN;
@@ -145,7 +145,7 @@ final class MtlReader {
     return number;
   }
 
-  /** The last number of a line, which may begin with options such as {@code -halo}; NaN if there is none. */
+  /** The last number of a line, which may begin with options such as {@code -halo}; NaN if none. */
   private double lastNumber() throws IOException {
     double last = Double.NaN;
     while (text.toWord()) {

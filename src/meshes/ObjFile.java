@@ -12,7 +12,6 @@ import diagnostics.Problem;
 import materials.Material;
 import materials.Texture;
 import models.Appearance;
-import models.MeshData;
 import models.TriangularMesh;
 
 /**
@@ -52,7 +51,7 @@ public final class ObjFile {
    * @throws IllegalArgumentException if an argument is null
    */
   public static TriangularMesh read(final Path file, final Color color) {
-    return TriangularMesh.of(mesh(file, true).smooth(), Appearance.of(color));
+    return TriangularMesh.of(mesh(file).smooth(), Appearance.of(color));
   }
 
   /**
@@ -65,7 +64,7 @@ public final class ObjFile {
    * @throws IllegalArgumentException if an argument is null
    */
   public static TriangularMesh read(final Path file, final Material material) {
-    return TriangularMesh.of(mesh(file, true).smooth(), Appearance.of(material));
+    return TriangularMesh.of(mesh(file).smooth(), Appearance.of(material));
   }
 
   /**
@@ -78,7 +77,7 @@ public final class ObjFile {
    * @throws IllegalArgumentException if an argument is null
    */
   public static TriangularMesh read(final Path file, final Texture texture) {
-    return TriangularMesh.of(mesh(file, true).smooth(), Appearance.of(texture));
+    return TriangularMesh.of(mesh(file).smooth(), Appearance.of(texture));
   }
 
   /**
@@ -91,25 +90,13 @@ public final class ObjFile {
    * @throws IllegalArgumentException if the file is null
    */
   public static TriangularMesh read(final Path file) {
-    final ObjMesh mesh = mesh(file, true);
+    final ObjMesh mesh = mesh(file);
     final MaterialFiles materials = new MaterialFiles(file, mesh);
     return TriangularMesh.of(mesh.smooth(), materials.appearances(), materials.ofTriangles());
   }
 
-  /**
-   * Reads the arrays of a flat mesh, for {@link TriangularMesh#of(MeshData, Appearance)}.
-   *
-   * @param file the file
-   * @return the arrays
-   * @throws InvalidException if the file cannot be read or holds no mesh
-   * @throws IllegalArgumentException if the file is null
-   */
-  public static MeshData readFlat(final Path file) {
-    return mesh(file, false).flat();
-  }
-
-  private static ObjMesh mesh(final Path file, final boolean averaged) {
-    final ObjReader.Result reading = new ObjReader(notNull("file", file), averaged).read();
+  private static ObjMesh mesh(final Path file) {
+    final ObjReader.Result reading = new ObjReader(notNull("file", file), true).read();
     if (reading.mesh() == null) {
       throw new InvalidException(reading.problems().stream().filter(Problem::isError).map(Problem::toString)
           .collect(Collectors.joining(System.lineSeparator())));

@@ -77,7 +77,7 @@ public final class ObjMesh {
   /**
    * The first facet that has a corner without texture coordinates.
    *
-   * @return its line, from 1; 0 if there is none
+   * @return its line, from 1; 0 if none
    */
   public int firstLineWithoutTexCoords() {
     return firstBareLine;

@@ -195,7 +195,7 @@ public final class ObjReader {
     broken = false;
   }
 
-  /** The next number of a normal or a texture coordinate; NaN if there is none, or if it is not finite. */
+  /** The next number of a normal or a texture coordinate; NaN if none, or if it is not finite. */
   private double number() throws IOException {
     if (!broken && text.toWord()) {
       final double number = decimals.parse(text.bytes.window, text.bytes.at);

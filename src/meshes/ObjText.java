@@ -31,7 +31,7 @@ final class ObjText {
     return bytes.isAtEnd();
   }
 
-  /** Advances to the next word of the statement, over blanks and continued line ends; false if there is none. */
+  /** Advances to the next word of the statement, over blanks and continued line ends; false if none. */
   boolean toWord() throws IOException {
     while (true) {
       bytes.reserve();

@@ -46,7 +46,7 @@ final class TransparentGrey {
     return corrected;
   }
 
-  /** The grey, scaled to 8 bits; {@link #NONE} if there is none. */
+  /** The grey, scaled to 8 bits; {@link #NONE} if none. */
   private static int of(final Path file) throws IOException {
     try (DataInputStream in = new DataInputStream(new BufferedInputStream(Files.newInputStream(file)))) {
       in.skipNBytes(SIGNATURE);

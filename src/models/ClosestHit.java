@@ -53,7 +53,7 @@ final class ClosestHit {
     return t * SAME;
   }
 
-  /** The object that was hit; null if there is none. */
+  /** The object that was hit; null if none. */
   Object3D object() {
     return object;
   }

@@ -184,7 +184,7 @@ public abstract class Object3D {
   /**
    * Distance of the first hit of a ray, given as six numbers so that nothing needs to be allocated.
    *
-   * @return the smallest t &gt; 0; infinity if there is none, also for a ray of NaN; NaN, the default, from an object
+   * @return the smallest t &gt; 0; infinity if none, also for a ray of NaN; NaN, the default, from an object
    *     without such a formula, for which {@link #intersectionWith} is to be called
    */
   double distance(final double x, final double y, final double z, final double dx, final double dy, final double dz) {

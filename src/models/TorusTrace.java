@@ -146,7 +146,7 @@ final class TorusTrace {
     return Double.POSITIVE_INFINITY;
   }
 
-  /** Smallest positive root of c + 2 b s + q s² = 0 with c > 0; infinity if there is none. */
+  /** Smallest positive root of c + 2 b s + q s² = 0 with c > 0; infinity if none. */
   private static double firstRoot(final double c, final double b, final double q) {
     final double discriminant = b * b - q * c;
     if (b >= 0 ? q >= 0 : discriminant < 0) {

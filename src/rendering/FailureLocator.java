@@ -60,7 +60,7 @@ final class FailureLocator {
     return null;
   }
 
-  /** The failure at a pixel, in words; null if there is none. */
+  /** The failure at a pixel, in words; null if none. */
   private String fault(final int column, final int row, final Throwable cause) {
     final int m = GeneratorWindow.column(generator, column), n = GeneratorWindow.row(generator, row);
     final String origin = GeneratorWindow.origin(generator).getClass().getName();
@@ -96,7 +96,7 @@ final class FailureLocator {
     }
   }
 
-  /** The method that fails for a ray, of an object or of one within it; null if there is none. */
+  /** The method that fails for a ray, of an object or of one within it; null if none. */
   private static String failing(final Object3D object, final Ray ray) {
     final List<Object3D> parts = object.parts();
     for (final Object3D part : parts) {

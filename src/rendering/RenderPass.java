@@ -67,7 +67,7 @@ public enum RenderPass {
    * The pass of a name of the command line.
    *
    * @param name the name, in any case
-   * @return the pass; empty if there is none of this name
+   * @return the pass; empty if none of this name
    * @throws IllegalArgumentException if the name is null
    */
   public static Optional<RenderPass> named(final String name) {

@@ -55,7 +55,7 @@ record Decoding(String text, String warning, String encoding) {
     }
   }
 
-  /** The encoding that the XML declaration names; null if there is none. */
+  /** The encoding that the XML declaration names; null if none. */
   private static String declared(final byte[] bytes, final int start) {
     final String head = new String(bytes, start, Math.min(bytes.length - start, 200), StandardCharsets.ISO_8859_1);
     final int end = head.startsWith("<?xml") ? head.indexOf("?>") : -1;

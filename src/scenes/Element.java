@@ -116,7 +116,7 @@ final class Element {
     return null;
   }
 
-  /** The first element of a name at any depth below this one, in the order of the file; null if there is none. */
+  /** The first element of a name at any depth below this one, in the order of the file; null if none. */
   Element find(final String elementName) {
     for (final Element child : children) {
       final Element found = child.name.equals(elementName) ? child : child.find(elementName);

@@ -53,7 +53,7 @@ final class MaterialReader {
     return materials.keySet();
   }
 
-  /** The material of an id; null if there is none, or if it is invalid. */
+  /** The material of an id; null if none, or if it is invalid. */
   Material get(final String id) {
     return materials.get(id);
   }

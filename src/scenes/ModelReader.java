@@ -47,7 +47,7 @@ final class ModelReader {
     return models.keySet();
   }
 
-  /** The model of an id; null if there is none. */
+  /** The model of an id; null if none. */
   Entry get(final String id) {
     return models.get(id);
   }

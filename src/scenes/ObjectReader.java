@@ -60,7 +60,7 @@ final class ObjectReader {
     }
   }
 
-  /** The model that an object names; null if there is none, or if it is invalid. */
+  /** The model that an object names; null if none, or if it is invalid. */
   private Model model(final Element object, final String id) {
     final ModelReader.Entry entry = models.get(id);
     if (entry == null) {
@@ -122,7 +122,7 @@ final class ObjectReader {
     return read == null ? null : Appearance.of(read);
   }
 
-  /** The material that an object names; null if there is none of this id, or if it is invalid. */
+  /** The material that an object names; null if none of this id, or if it is invalid. */
   private Material material(final Element object) {
     final String id = values.name(object, "materialId");
     if (id != null && !materials.ids().contains(id)) {

@@ -37,12 +37,12 @@ final class StartTag {
     return offsets.getOrDefault(attribute, start);
   }
 
-  /** The first fault in the shape of the tag; null if there is none. */
+  /** The first fault in the shape of the tag; null if none. */
   XmlSyntaxException fault() {
     return fault;
   }
 
-  /** The name at a place of a text; empty if there is none. */
+  /** The name at a place of a text; empty if none. */
   static String name(final String text, final int from) {
     int i = from;
     while (i < text.length() && (isNameStart(text.charAt(i)) || i > from && isNamePart(text.charAt(i)))) {

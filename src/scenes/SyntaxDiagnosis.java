@@ -73,7 +73,7 @@ final class SyntaxDiagnosis {
     return Math.min(Math.max(from, offset), text.length());
   }
 
-  /** The first illegal character of XML in a range; -1 if there is none. */
+  /** The first illegal character of XML in a range; -1 if none. */
   private int illegalCharacter(final int from, final int to) {
     for (int i = from; i < Math.min(to, text.length()); i++) {
       final char c = text.charAt(i);

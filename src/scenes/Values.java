@@ -40,7 +40,7 @@ final class Values {
     return named(element, name) != null;
   }
 
-  /** The first element of a name below another; null if there is none. Further ones are reported. */
+  /** The first element of a name below another; null if none. Further ones are reported. */
   Element optional(final Element element, final String name) {
     final Element first = named(element, name);
     if (first != null) {
@@ -73,7 +73,7 @@ final class Values {
         line == 0 ? "" : " " + Messages.text("scenes.commentedOut", name, line));
   }
 
-  /** Line of an element that is commented out within another; 0 if there is none. */
+  /** Line of an element that is commented out within another; 0 if none. */
   private int commentedOut(final Element element, final String name) {
     if (problems.isFull()) {
       return 0;

@@ -459,7 +459,7 @@ public final class Hit {
   /**
    * First texture coordinate, in double.
    *
-   * @return u; NaN if there is none
+   * @return u; NaN if none
    */
   public double textureU() {
     return u;
@@ -468,7 +468,7 @@ public final class Hit {
   /**
    * Second texture coordinate, in double.
    *
-   * @return v; NaN if there is none
+   * @return v; NaN if none
    */
   public double textureV() {
     return v;

@@ -11,7 +11,7 @@ import rendering.RenderPass;
  * The value of an option of the command line.
  *
  * @param option name of the option, as it was written
- * @param value its value, as it was written; null if there is none
+ * @param value its value, as it was written; null if none
  */
 record OptionValue(String option, String value) {
 

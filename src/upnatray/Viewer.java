@@ -41,7 +41,7 @@ public interface Viewer {
   /**
    * The viewer of this program.
    *
-   * @return the viewer; empty if there is none, or no display for it
+   * @return the viewer; empty if none, or no display for it
    */
   static Optional<Viewer> available() {
     return ServiceLoader.load(Viewer.class).findFirst().filter(Viewer::isAvailable);

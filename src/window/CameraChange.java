@@ -18,11 +18,6 @@ record CameraChange(Camera from, Camera to) {
   }
 
   SceneFile applyTo(final SceneFile scene) {
-    return appliesTo(scene) ? with(scene, to) : scene;
-  }
-
-  static SceneFile with(final SceneFile scene, final Camera camera) {
-    return new SceneFile(scene.name(), scene.width(), scene.height(), scene.background(), scene.lighting(), camera,
-        scene.objects(), scene.names(), scene.meshes());
+    return appliesTo(scene) ? scene.withCamera(to) : scene;
   }
 }

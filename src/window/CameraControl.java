@@ -80,7 +80,7 @@ final class CameraControl {
       final Camera camera = next.camera();
       pose = next;
       window.status().showText(text(camera));
-      showPreview(CameraChange.with(job.scene(), camera), job);
+      showPreview(job.scene().withCamera(camera), job);
       rest.restart();
     } catch (final IllegalArgumentException outOfRange) {
       window.status().showText(outOfRange.getMessage());

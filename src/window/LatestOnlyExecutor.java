@@ -55,7 +55,7 @@ final class LatestOnlyExecutor {
     }
   }
 
-  /** The next job; null if there is none, or if the calling thread has been abandoned. */
+  /** The next job; null if none, or if the calling thread has been abandoned. */
   private synchronized Runnable take() {
     if (Thread.currentThread() != worker) {
       return null;

@@ -31,7 +31,7 @@ final class RenderPresenter implements BackgroundRenderer.Listener {
     this.window = window;
   }
 
-  /** The rendering that is shown; null if there is none. */
+  /** The rendering that is shown; null if none. */
   RenderJob job() {
     return job;
   }

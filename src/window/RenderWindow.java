@@ -288,7 +288,7 @@ public final class RenderWindow {
     return presenter.shows(other);
   }
 
-  /** The rendering that is shown; null if there is none. */
+  /** The rendering that is shown; null if none. */
   RenderJob job() {
     return presenter.job();
   }

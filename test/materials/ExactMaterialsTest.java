@@ -84,7 +84,7 @@ class ExactMaterialsTest {
     assertTrue(seen[0] > 300, () -> "only " + seen[0] + " pairs with light");
   }
 
-  /** A direction on the other side near the refracted one; null if there is none. */
+  /** A direction on the other side near the refracted one; null if none. */
   private static double[] refractedNear(final double[] wo, final double[] n, final double ratio, final float beta,
       final java.util.Random random) {
     final double co = Directions.dot(n, wo), square = 1 - ratio * ratio * (1 - co * co);

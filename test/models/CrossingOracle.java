@@ -48,7 +48,7 @@ abstract class CrossingOracle {
 
   /**
    * The first crossing ahead that must be found: the end of the first stretch of the ray, inside or outside, that gets
-   * farther from the surface than the margin, if the next such stretch is on the other side. Infinity if there is none.
+   * farther from the surface than the margin, if the next such stretch is on the other side. Infinity if none.
    */
   double firstCertain(final Ray ray) {
     return firstCertain(ray, margin(ray));

@@ -87,7 +87,7 @@ final class Fuzz implements AutoCloseable {
     return finding == null;
   }
 
-  /** The fault found with the file of a seed; null if there is none. */
+  /** The fault found with the file of a seed; null if none. */
   String finding(final Kind kind, final long seed) throws IOException, InterruptedException {
     final byte[] bytes = mutations.file(kind, seed);
     final Path file = Files.write(folder.resolve(kind.isScene() ? "fuzz.xml" : kind.isImage() ? "fuzz.image"
